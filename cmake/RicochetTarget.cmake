@@ -1,0 +1,16 @@
+# What every target of the project shares: the language level, the warnings and where programs go.
+# No -ffast-math anywhere: compensated sums and the exact zero tests of the laws rely on IEEE arithmetic.
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+function(ricochet_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -ffp-contract=off)
+endfunction()
+
+# Sources are found by folder: a file is one room, and opening a room should not need a second edit here.
+function(ricochet_sources variable)
+  file(GLOB_RECURSE found CONFIGURE_DEPENDS ${ARGN})
+  set(${variable} ${found} PARENT_SCOPE)
+endfunction()

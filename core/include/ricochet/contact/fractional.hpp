@@ -1,0 +1,65 @@
+#pragma once
+
+#include <ricochet/contact/law.hpp>
+#include <ricochet/fractional/memory_kernel.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace ricochet {
+
+/// The fractional interaction law (30): R = c^α k^{1−α} D^α ζ, D^α from the contact's start t_b. The ideal law: its
+/// memory is the whole past, so it has closed forms and solvers but no `force`; `FractionalArms` is what engines run.
+class Fractional {
+ public:
+  static constexpr std::string_view name = "fractional";
+
+  /// k > 0 [kg/s²], c > 0 [kg/s], α < 2; 0 ≤ α ≤ 1 is physical (α < 0 gains energy, α > 1 never rebounds).
+  /// Throws std::invalid_argument otherwise.
+  Fractional(double k, double c, double alpha);
+
+  double k() const noexcept { return k_; }
+  double c() const noexcept { return c_; }
+  double alpha() const noexcept { return alpha_; }
+  /// c^α k^{1−α} [kg s^{α−2}], all of k and c that a collision can see.
+  double coefficient() const noexcept { return coefficient_; }
+
+ private:
+  double k_, c_, alpha_, coefficient_;
+};
+
+/// The fractional law with D^α carried by a MemoryKernel: spring, Maxwell arms and dashpot. Its memory is the
+/// elongation of each arm's spring, of fixed size whatever the contact's duration.
+class FractionalArms {
+ public:
+  static constexpr std::size_t max_arms = 24;
+  struct Memory {
+    std::array<double, max_arms> elongation{};  ///< [m]; those past the number of arms stay 0
+    bool operator==(const Memory&) const = default;
+  };
+  static constexpr std::string_view name = "fractional";
+
+  /// `kernel` is prepared for the law's α; `step` [s] > 0 is the time step that `advance` is fastest for (any other
+  /// dt is as exact). Throws std::invalid_argument for another α or a kernel of more than max_arms arms.
+  FractionalArms(const Fractional& law, const MemoryKernel& kernel, double step);
+
+  const Fractional& law() const noexcept { return law_; }
+  std::size_t arms() const noexcept { return arms_; }
+
+  double force(Approach a, const Memory& m) const noexcept;
+  void advance(Memory& m, Approach before, Approach after, double dt) const noexcept;
+  double stored_energy(Approach a, const Memory& m) const noexcept;
+  double dissipated_power(Approach a, const Memory& m) const noexcept;
+
+ private:
+
+  Fractional law_;
+  std::size_t arms_ = 0;
+  double step_ = 0;
+  double spring_ = 0;   // [N/m]
+  double dashpot_ = 0;  // [N s/m]
+  std::array<double, max_arms> stiffness_{}, rate_{};             // of each arm [N/m], [1/s]
+  std::array<double, max_arms> decay_{}, gain_before_{}, gain_after_{};  // over step_
+};
+
+}  // namespace ricochet

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <ricochet/contact/law.hpp>
+
+namespace ricochet {
+
+/// Piecewise linear loading and unloading of Walton and Braun (J. Rheol. 30, 949 (1986)): k₁ζ on first loading,
+/// k₂(ζ − ζ₀) on unloading and reloading below the greatest overlap so far, ζ₀ = ζ_max(1 − k₁/k₂).
+class Hysteretic {
+ public:
+  struct Memory {
+    double max_overlap = 0;  ///< greatest overlap since t_b [m]
+    bool operator==(const Memory&) const = default;
+  };
+  static constexpr std::string_view name = "hysteretic";
+
+  /// 0 < k1 ≤ k2 [kg/s²]; throws std::invalid_argument otherwise.
+  Hysteretic(double k1, double k2);
+
+  double k1() const noexcept { return k1_; }
+  double k2() const noexcept { return k2_; }
+  /// ζ₀ [m]: where unloading from the greatest overlap so far reaches zero force.
+  double residual_overlap(const Memory& m) const noexcept { return m.max_overlap * (1 - k1_ / k2_); }
+
+  double force(Approach a, const Memory& m) const noexcept {
+    return loads(a, m) ? k1_ * a.overlap : k2_ * (a.overlap - residual_overlap(m));
+  }
+  void advance(Memory& m, Approach, Approach after, double) const noexcept {
+    m.max_overlap = std::max(m.max_overlap, after.overlap);
+  }
+  /// What unloading along k₂ would give back.
+  double stored_energy(Approach a, const Memory& m) const noexcept {
+    const double f = force(a, m);
+    return f > 0 ? 0.5 * f * f / k2_ : 0.0;
+  }
+  double dissipated_power(Approach a, const Memory& m) const noexcept {
+    return loads(a, m) && a.rate > 0 ? k1_ * (1 - k1_ / k2_) * a.overlap * a.rate : 0.0;
+  }
+
+ private:
+  static bool loads(Approach a, const Memory& m) noexcept { return a.overlap >= m.max_overlap; }
+
+  double k1_, k2_;
+};
+
+}  // namespace ricochet

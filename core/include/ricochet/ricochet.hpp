@@ -1,0 +1,5 @@
+#pragma once
+
+#include <ricochet/contact/any_law.hpp>
+#include <ricochet/contact/law.hpp>
+#include <ricochet/fractional/memory_kernel.hpp>

@@ -1,0 +1,44 @@
+#include <ricochet/contact/any_law.hpp>
+#include <ricochet/detail/require.hpp>
+
+namespace ricochet {
+
+using detail::require;
+using detail::require_not_negative;
+using detail::require_positive;
+
+static_assert(ContactLaw<Linear> && ContactLaw<KuwabaraKono> && ContactLaw<Tsuji> && ContactLaw<Hysteretic>);
+
+Linear::Linear(double k, double c) : k_(k), c_(c) {
+  require_positive("k", k);
+  require_not_negative("c", c);
+}
+
+KuwabaraKono::KuwabaraKono(double k, double c) : k_(k), c_(c) {
+  require_positive("k", k);
+  require_not_negative("c", c);
+}
+
+Tsuji::Tsuji(double k, double c) : k_(k), c_(c) {
+  require_positive("k", k);
+  require_not_negative("c", c);
+}
+
+Hysteretic::Hysteretic(double k1, double k2) : k1_(k1), k2_(k2) {
+  require_positive("k1", k1);
+  require_positive("k2", k2);
+  require(k1 <= k2, "k1", k1, "at most k2");
+}
+
+Fractional::Fractional(double k, double c, double alpha)
+    : k_(k), c_(c), alpha_(alpha), coefficient_(k * std::pow(c / k, alpha)) {
+  require_positive("k", k);
+  require_positive("c", c);
+  require(std::isfinite(alpha) && alpha < 2, "alpha", alpha, "finite and < 2");
+}
+
+std::string_view name(const AnyLaw& law) noexcept {
+  return std::visit([](const auto& l) { return l.name; }, law);
+}
+
+}  // namespace ricochet
