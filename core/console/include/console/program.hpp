@@ -1,0 +1,41 @@
+#pragma once
+
+#include <console/exit.hpp>
+#include <console/table.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace ricochet::console {
+
+/// The options that all programs share.
+struct OutputOptions {
+  Format format = Format::table;
+  std::string file = {};  ///< empty: stdout
+};
+
+/// Adds --format table|json|csv|markdown and -o,--output FILE.
+void add_output_options(CLI::App& app, OutputOptions& options);
+
+/// Adds --version, printing "<program> <version>".
+void add_version(CLI::App& app);
+
+/// Adds an option that takes one finite number; anything else is "--en = abc: must be a finite number".
+/// Independent of the locale. `target` keeps its value when the option is absent.
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const std::string& description);
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
+                        const std::string& description);
+
+/// Parses the command line into `app` and runs `body`. Every way out is an exit code and at most one line
+/// "<program>: …" on stderr: a wrong command line is bad input, --help and --version are done, exceptions map as
+/// exit_code() says; the library's "mass_eff = -1: must be …" is reported under the flag's name, "--mass-eff = -1".
+/// SIGPIPE is ignored, so that a reader who leaves shows as a write error (failed) like a full disk does.
+int run_program(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body);
+
+}  // namespace ricochet::console

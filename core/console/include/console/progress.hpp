@@ -1,0 +1,35 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace ricochet::console {
+
+/// A line "what: 42 %, 7 s left" on stderr while work lasts: only when stderr is a terminal, only after a second,
+/// at most five times a second. advance() may be called from several threads. The destructor wipes the line.
+class Progress {
+ public:
+  /// `total` units of work; 0 when it is not known, then the count is shown.
+  Progress(std::string what, std::uint64_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void advance(std::uint64_t units = 1);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void show(std::uint64_t done, Clock::duration elapsed);
+
+  std::string what_;
+  std::uint64_t total_;
+  bool terminal_;
+  Clock::time_point start_;
+  std::atomic<std::uint64_t> done_{0};
+  std::atomic<Clock::rep> next_;  // elapsed ticks at which the line is shown again
+  std::atomic<bool> shown_{false};
+};
+
+}  // namespace ricochet::console

@@ -1,0 +1,32 @@
+#include <console/exit.hpp>
+
+#include <unistd.h>
+
+#include <string>
+
+namespace ricochet::console {
+
+BadInput::BadInput(std::string_view flag, std::string_view value, std::string_view accepted)
+    : std::runtime_error(std::string(flag) + " = " + std::string(value) + ": must be " + std::string(accepted)) {}
+
+Exit exit_code(const std::exception& error) {
+  if (dynamic_cast<const BadInput*>(&error) || dynamic_cast<const std::invalid_argument*>(&error))
+    return Exit::bad_input;
+  if (dynamic_cast<const Unreachable*>(&error)) return Exit::unreachable;
+  return Exit::failed;
+}
+
+void complain(std::string_view program, std::string_view message) {
+  std::string line = std::string(program) + ": ";
+  while (!message.empty() && message.back() == '\n') message.remove_suffix(1);
+  for (const char c : message)
+    if (c == '\n')
+      line += "; ";
+    else
+      line += c;
+  line += '\n';
+  // One write, so that lines of concurrent processes do not mix; a closed stderr leaves nobody to tell.
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
+}
+
+}  // namespace ricochet::console

@@ -1,0 +1,111 @@
+#include <console/exit.hpp>
+#include <console/output.hpp>
+#include <console/plot.hpp>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+extern char** environ;
+
+namespace ricochet::console {
+
+namespace {
+
+/// A file in memory: gnuplot's input and outputs never touch the disk and no pipe can fill up and block.
+class MemoryFile {
+ public:
+  MemoryFile() : file_(::memfd_create("gnuplot", MFD_CLOEXEC)) {
+    if (file_ < 0) throw Failed("gnuplot: no memory file: " + std::generic_category().message(errno));
+  }
+  ~MemoryFile() { ::close(file_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  int descriptor() const { return file_; }
+
+  void fill(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const auto written = ::write(file_, bytes.data(), bytes.size());
+      if (written < 0) throw Failed("gnuplot: cannot pass the script: " + std::generic_category().message(errno));
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    ::lseek(file_, 0, SEEK_SET);
+  }
+
+  std::string content() const {
+    ::lseek(file_, 0, SEEK_SET);
+    std::string all;
+    std::array<char, 65536> chunk;
+    for (ssize_t n = 0; (n = ::read(file_, chunk.data(), chunk.size())) > 0;)
+      all.append(chunk.data(), static_cast<std::size_t>(n));
+    return all;
+  }
+
+ private:
+  int file_;
+};
+
+struct Ran {
+  std::string out;
+  std::string err;
+  int status;
+};
+
+Ran gnuplot(const std::string& script, const std::string& folder) {
+  MemoryFile in;
+  MemoryFile out;
+  MemoryFile err;
+  in.fill(script);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  ::posix_spawn_file_actions_adddup2(&actions, in.descriptor(), STDIN_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, out.descriptor(), STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, err.descriptor(), STDERR_FILENO);
+  std::array<char, 8> name{"gnuplot"};
+  std::array<char*, 2> arguments{name.data(), nullptr};
+  pid_t child = 0;
+  const int error = ::posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (error == ENOENT) throw Failed("gnuplot: not found; Debian's package is gnuplot-nox");
+  if (error != 0) throw Failed("gnuplot: cannot start: " + std::generic_category().message(error));
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return {out.content(), err.content(), status};
+}
+
+std::string picture(const Figure& figure, const std::string& terminal, const std::string& folder) {
+  const std::string size = std::to_string(figure.width) + "," + std::to_string(figure.height);
+  const std::string script = "set terminal " + terminal + " size " + size +
+                             "\nset encoding utf8\nset datafile separator comma\n" + figure.script + "\n";
+  const Ran ran = gnuplot(script, folder);
+  // gnuplot ends with 0 on "warning: Skipping data file with no valid points": whatever it says is an error here.
+  if (ran.status != 0 || !ran.err.empty() || ran.out.empty())
+    throw Failed("gnuplot, figure " + figure.name + ": " + (ran.err.empty() ? "nothing drawn" : ran.err));
+  return ran.out;
+}
+
+}  // namespace
+
+void draw(const Figure& figure, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw BadInput(folder + ": cannot make the folder: " + error.message());
+  for (const DataFile& data : figure.data) write_atomically(folder + "/" + data.name, data.bytes);
+  const std::string stem = folder + "/" + figure.name;
+  write_atomically(stem + ".svg", picture(figure, "svg dynamic font 'sans-serif,14' background rgb 'white'", folder));
+  write_atomically(stem + ".png", picture(figure, "pngcairo font 'sans,11' background rgb 'white'", folder));
+}
+
+}  // namespace ricochet::console

@@ -1,0 +1,110 @@
+#include <console/number.hpp>
+#include <console/output.hpp>
+#include <console/program.hpp>
+
+#include <ricochet/version.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <map>
+
+namespace ricochet::console {
+
+namespace {
+
+const std::map<std::string, Format> formats{
+    {"table", Format::table}, {"json", Format::json}, {"csv", Format::csv}, {"markdown", Format::markdown}};
+
+bool has_flag(const CLI::App& app, const std::string& flag) {
+  if (app.get_option_no_throw(flag)) return true;
+  const auto chosen = app.get_subcommands();
+  return std::any_of(chosen.begin(), chosen.end(), [&](const CLI::App* sub) { return has_flag(*sub, flag); });
+}
+
+/// "mass_eff = -1: must be …", as the library says it, becomes "--mass-eff = -1: …" where there is such an option.
+std::string in_flags(const CLI::App& app, const std::string& message) {
+  const auto end = message.find(" = ");
+  if (end == std::string::npos) return message;
+  std::string flag = "--" + message.substr(0, end);
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return has_flag(app, flag) ? flag + message.substr(end) : message;
+}
+
+Exit parse_and_run(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    write_stdout(app.help());
+    return Exit::done;
+  } catch (const CLI::CallForVersion& version) {
+    write_stdout(std::string(version.what()) + "\n");
+    return Exit::done;
+  } catch (const CLI::ParseError& error) {
+    throw BadInput(error.what());
+  }
+  const Exit result = body();
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0) throw Failed("standard output: cannot write");
+  return result;
+}
+
+template <class Target>
+CLI::Option* add_any_number(CLI::App& app, const std::string& name, Target& target, const std::string& description) {
+  const auto read = [&target, name](const std::string& text) {
+    const auto value = parse_number(text);
+    // CLI11 turns a thrown ParseError into its own way out, which run_program reports.
+    if (!value) throw CLI::ValidationError(name + " = " + text + ": must be a finite number");
+    target = *value;
+  };
+  return app.add_option_function<std::string>(name, read, description)->type_name("NUMBER");
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& app, OutputOptions& options) {
+  const auto read = [&options](const std::string& name) {
+    const auto found = formats.find(name);
+    if (found == formats.end())
+      throw CLI::ValidationError("--format = " + name + ": must be table, json, csv or markdown");
+    options.format = found->second;
+  };
+  app.add_option_function<std::string>("--format", read, "table (default), json, csv or markdown")->type_name("FORMAT");
+  app.add_option("-o,--output", options.file, "write to this file, whole or not at all")->type_name("FILE");
+}
+
+void add_version(CLI::App& app) {
+  app.set_version_flag("--version", app.get_name() + " " + ricochet::version, "print the version and exit");
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const std::string& description) {
+  return add_any_number(app, name, target, description);
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
+                        const std::string& description) {
+  return add_any_number(app, name, target, description);
+}
+
+int run_program(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body) {
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return static_cast<int>(parse_and_run(app, argc, argv, body));
+  } catch (const std::invalid_argument& error) {
+    complain(app.get_name(), in_flags(app, error.what()));
+    return static_cast<int>(Exit::bad_input);
+  } catch (const std::bad_alloc&) {
+    complain(app.get_name(), "out of memory");
+  } catch (const std::exception& error) {
+    complain(app.get_name(), error.what());
+    return static_cast<int>(exit_code(error));
+  } catch (...) {
+    complain(app.get_name(), "unknown error");
+  }
+  return static_cast<int>(Exit::failed);
+}
+
+}  // namespace ricochet::console

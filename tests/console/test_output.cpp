@@ -1,0 +1,114 @@
+#include "temporary_folder.hpp"
+
+#include <console/exit.hpp>
+#include <console/output.hpp>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+#include <csignal>
+
+using namespace ricochet::console;
+
+namespace {
+
+/// Runs `body` in a child process and returns its wait status.
+template <class Body>
+int in_child(Body body) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);  // Catch2 caught them
+    body();
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("a file is written whole and replaces the old one") {
+  const TemporaryFolder folder;
+  write_atomically(folder / "a.txt", "first");
+  write_atomically(folder / "a.txt", "second");
+  CHECK(read_file(folder / "a.txt") == "second");
+  CHECK(folder.count() == 1);
+}
+
+TEST_CASE("without commit nothing is left and the old file stays") {
+  const TemporaryFolder folder;
+  write_atomically(folder / "a.txt", "old");
+  {
+    AtomicFile file(folder / "a.txt");
+    file.write("half");
+    CHECK(folder.count() == 2);
+  }
+  CHECK(read_file(folder / "a.txt") == "old");
+  CHECK(folder.count() == 1);
+}
+
+TEST_CASE("a file keeps its permissions and a link its target") {
+  const TemporaryFolder folder;
+  write_atomically(folder / "a.txt", "old");
+  ::chmod((folder / "a.txt").c_str(), 0640);
+  std::filesystem::create_symlink("a.txt", folder / "link");
+  write_atomically(folder / "link", "new");
+  CHECK(std::filesystem::is_symlink(folder / "link"));
+  CHECK(read_file(folder / "a.txt") == "new");
+  struct stat status = {};
+  ::stat((folder / "a.txt").c_str(), &status);
+  CHECK((status.st_mode & 07777) == 0640);
+}
+
+TEST_CASE("a device is written through, not replaced") {
+  write_atomically("/dev/null", "bytes");
+  CHECK(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_CASE("a path that cannot be written is bad input, by name and reason") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(write_atomically(folder / "none/a.txt", "x"), BadInput);
+  CHECK_THROWS_WITH(write_atomically("/none/a.txt", "x"), "/none/a.txt: cannot write: No such file or directory");
+  CHECK_THROWS_AS(write_atomically(folder.path(), "x"), BadInput);
+  CHECK_THROWS_AS(write_atomically("", "x"), BadInput);
+  CHECK(folder.count() == 0);
+}
+
+TEST_CASE("a file that grows past the limit leaves the old one and no other") {
+  const TemporaryFolder folder;
+  write_atomically(folder / "a.txt", "old");
+  const int status = in_child([&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{1000, 1000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      write_atomically(folder / "a.txt", std::string(100000, 'x'));
+    } catch (const Failed&) {
+      ::_exit(7);
+    }
+  });
+  CHECK(WEXITSTATUS(status) == 7);
+  CHECK(read_file(folder / "a.txt") == "old");
+  CHECK(folder.count() == 1);
+}
+
+TEST_CASE("a full device is reported") { CHECK_THROWS_AS(write_atomically("/dev/full", "x"), Failed); }
+
+TEST_CASE("a signal removes the temporary file and still kills") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder folder;
+    const int status = in_child([&] {
+      AtomicFile file(folder / "a.txt");
+      file.write("half");
+      ::raise(signal);
+    });
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == signal);
+    CHECK(folder.count() == 0);
+  }
+}

@@ -1,0 +1,35 @@
+#include "temporary_folder.hpp"
+
+#include <console/exit.hpp>
+#include <console/plot.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+
+using namespace ricochet::console;
+
+TEST_CASE("gnuplot draws SVG and PNG beside the data") {
+  const TemporaryFolder folder;
+  draw({"line", "A straight line", "plot 'line.csv' skip 1 using 1:2 with lines title 'y'",
+        {{"line.csv", "x,y\n0,0\n1,1\n"}}},
+       folder / "plots");
+  CHECK(read_file(folder / "plots/line.csv") == "x,y\n0,0\n1,1\n");
+  CHECK(read_file(folder / "plots/line.svg").find("</svg>") != std::string::npos);
+  CHECK(read_file(folder / "plots/line.png").substr(1, 3) == "PNG");
+}
+
+TEST_CASE("gnuplot's complaint is reported and nothing is drawn") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH(draw({"bad", "", "plot nonsense(", {}}, folder.path()), Catch::Contains("gnuplot, figure bad"));
+  CHECK_THROWS_AS(draw({"empty", "", "plot 'none.csv'", {}}, folder.path()), Failed);
+  CHECK(folder.count() == 0);
+}
+
+TEST_CASE("a machine without gnuplot gets the package's name") {
+  const TemporaryFolder folder;
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder.path().c_str(), 1);
+  CHECK_THROWS_WITH(draw({"x", "", "plot x", {}}, folder.path()), Catch::Contains("gnuplot-nox"));
+  ::setenv("PATH", path.c_str(), 1);
+}

@@ -1,0 +1,132 @@
+#include <console/output.hpp>
+#include <console/program.hpp>
+
+#include <ricochet/detail/require.hpp>
+#include <ricochet/version.hpp>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <iostream>
+
+using namespace ricochet::console;
+
+namespace {
+
+struct Ran {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+std::string content(int file) {
+  std::string all(static_cast<std::size_t>(::lseek(file, 0, SEEK_END)), '\0');
+  [[maybe_unused]] const auto n = ::pread(file, all.data(), all.size(), 0);
+  ::close(file);
+  return all;
+}
+
+/// Runs a small program in a child process. `out` replaces its stdout where it is given.
+Ran run(std::vector<const char*> arguments, const std::function<Exit()>& body = {}, int out = -1) {
+  const int captured = ::memfd_create("out", 0);
+  const int err = ::memfd_create("err", 0);
+  std::cout.flush();  // Catch2's own lines must not be written a second time by the child
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::dup2(out >= 0 ? out : captured, STDOUT_FILENO);
+    ::dup2(err, STDERR_FILENO);
+    CLI::App app("tries things", "try");
+    OutputOptions output;
+    double en = 0.5;
+    std::optional<double> mass_eff;
+    add_version(app);
+    add_output_options(app, output);
+    add_number(app, "--en", en, "restitution [-]");
+    add_number(app, "--mass-eff", mass_eff, "effective mass [kg]");
+    arguments.insert(arguments.begin(), "try");
+    const auto shown = [&] {
+      ricochet::detail::require(en > 0 && en <= 1, "en", en, "in (0, 1]");
+      if (mass_eff) ricochet::detail::require_positive("mass_eff", *mass_eff);
+      emit(output.file, "en " + std::to_string(en) + " " + std::to_string(static_cast<int>(output.format)) + "\n");
+      return Exit::done;
+    };
+    ::_exit(run_program(app, static_cast<int>(arguments.size()), arguments.data(), body ? body : shown));
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(captured), content(err)};
+}
+
+}  // namespace
+
+TEST_CASE("a program that succeeds is silent on stderr") {
+  const Ran ran = run({"--en", "0.25", "--format=csv"});
+  CHECK(ran.code == 0);
+  CHECK(ran.out == "en 0.250000 2\n");
+  CHECK(ran.err.empty());
+}
+
+TEST_CASE("help and version are done") {
+  CHECK(run({"--version"}).out == std::string("try ") + ricochet::version + "\n");
+  const Ran help = run({"--help"});
+  CHECK(help.code == 0);
+  CHECK(help.out.find("--mass-eff") != std::string::npos);
+}
+
+TEST_CASE("every wrong command line is one line and exit code 2") {
+  const std::vector<std::pair<std::vector<const char*>, std::string>> cases{
+      {{"--en", "1.5"}, "try: --en = 1.5: must be in (0, 1]\n"},
+      {{"--en", "abc"}, "try: --en = abc: must be a finite number\n"},
+      {{"--en", "nan"}, "try: --en = nan: must be a finite number\n"},
+      {{"--en", "1,5"}, "try: --en = 1,5: must be a finite number\n"},
+      {{"--mass-eff", "-1"}, "try: --mass-eff = -1: must be finite and > 0\n"},
+      {{"--format", "xml"}, "try: --format = xml: must be table, json, csv or markdown\n"},
+      {{"-o", "/none/x"}, "try: /none/x: cannot write: No such file or directory\n"}};
+  for (const auto& [arguments, message] : cases) {
+    const Ran ran = run(arguments);
+    CHECK(ran.code == 2);
+    CHECK(ran.err == message);
+    CHECK(ran.out.empty());
+  }
+  for (const std::vector<const char*>& arguments : {std::vector<const char*>{"--none"}, {"extra"}, {"--en"}}) {
+    const Ran ran = run(arguments);
+    CHECK(ran.code == 2);
+    CHECK(ran.err.find('\n') == ran.err.size() - 1);
+  }
+}
+
+TEST_CASE("exceptions become exit codes") {
+  CHECK(run({}, [] { return Exit::gate_failed; }).code == 1);
+  CHECK(run({}, []() -> Exit { throw BadInput("scene.json:3", "x", "a number"); }).err ==
+        "try: scene.json:3 = x: must be a number\n");
+  CHECK(run({}, []() -> Exit { throw Unreachable("en >= 0.2 only"); }).code == 3);
+  CHECK(run({}, []() -> Exit { throw Failed("no convergence"); }).code == 4);
+  CHECK(run({}, []() -> Exit { throw std::logic_error("two\nlines"); }).err == "try: two; lines\n");
+  CHECK(run({}, []() -> Exit { throw 7; }).code == 4);
+}
+
+TEST_CASE("a closed pipe and a full device are exit code 4 with one line") {
+  std::array<int, 2> ends{};
+  REQUIRE(::pipe(ends.data()) == 0);
+  ::close(ends[0]);
+  const Ran closed = run({}, {}, ends[1]);
+  ::close(ends[1]);
+  CHECK(closed.code == 4);
+  CHECK(closed.err == "try: standard output: cannot write: Broken pipe\n");
+
+  const int full = ::open("/dev/full", O_WRONLY);
+  CHECK(run({}, {}, full).code == 4);
+  CHECK(run({"--help"}, {}, full).code == 4);
+  const auto by_stream = [] {
+    std::cout << "text";
+    return Exit::done;
+  };
+  CHECK(run({}, by_stream, full).code == 4);
+  ::close(full);
+}
