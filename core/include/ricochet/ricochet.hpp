@@ -4,3 +4,4 @@
 #include <ricochet/contact/law.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
 #include <ricochet/version.hpp>
+#include <ricochet/motion/collision.hpp>

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <ricochet/contact/any_law.hpp>
+
+#include <cstddef>
+
+namespace ricochet {
+
+/// The binary collision m ζ'' + R = 0, ζ(0) = 0, ζ'(0) = v₀ (47): two spheres of effective mass m = m₁m₂/(m₁+m₂), or
+/// one sphere of mass m on a wall.
+struct Impact {
+  double velocity;  ///< v₀ [m/s], > 0
+  double mass_eff;  ///< m [kg], > 0
+};
+
+enum class CollideMethod {
+  automatic,    ///< the closed form where there is one, else numerical
+  closed_form,  ///< throws for the laws that have none (Kuwabara-Kono, Tsuji)
+  numerical     ///< integrates the law's own equation of motion; knows no closed form
+};
+
+struct CollideOptions {
+  ContactEnd end = ContactEnd::force;
+  CollideMethod method = CollideMethod::automatic;
+  std::size_t max_evaluations = 1'000'000;  ///< force evaluations the numerical path may spend
+};
+
+enum class CollisionStatus {
+  ended_by_force,    ///< the repulsive force fell to zero (25); where c = 0 the overlap does so at the same time
+  ended_by_overlap,  ///< the overlap returned to zero (24)
+  no_separation,     ///< the asked end does not exist (26): overdamped overlap, α ≥ 1, …
+  budget_spent       ///< max_evaluations reached before the end
+};
+
+/// What a collision did. Times count from the first touch t_b. After no_separation and budget_spent tcol, en and
+/// overlap_end are 0; the extremes are those met while the motion was followed.
+struct Collision {
+  CollisionStatus status = CollisionStatus::no_separation;
+  double tcol = 0;              ///< t_e − t_b [s]
+  double en = 0;                ///< −ζ'(t_e)/v₀
+  double max_overlap = 0;       ///< [m]
+  double time_max_overlap = 0;  ///< [s]
+  double max_force = 0;         ///< greatest repulsion [N]
+  double time_max_force = 0;    ///< [s]
+  double overlap_end = 0;       ///< ζ(t_e) [m]
+  std::size_t evaluations = 0;  ///< of the force, by the numerical path; 0 for a closed form
+
+  bool separated() const noexcept {
+    return status == CollisionStatus::ended_by_force || status == CollisionStatus::ended_by_overlap;
+  }
+};
+
+/// One binary collision under one law.
+///
+/// Closed forms. Linear, with D = c/(2√(mk)) = cos ψ (cosh ψ when overdamped) and time in √(m/k): the force vanishes at
+/// 2ψ/sin ψ with e_n = exp(−2ψ cot ψ), the overlap at π/sin ψ with e_n = exp(−π cot ψ), and only for D < 1; both keep
+/// full accuracy across D = 1. Hysteretic: two quarters of a sine.
+///
+/// Numerical path. Time is replaced by the variable in which the damped power laws are polynomial (see
+/// core/src/motion/damped_power.hpp), so the start and the end, where ζ^{1/2} and ζ^{1/4} are not smooth, cost no order;
+/// Runge-Kutta-Fehlberg 7(8) with error control, every event located by redoing the step it lies in. An overlap end with
+/// e_n < 1e-9 counts as no_separation there.
+///
+/// Relative error of tcol and en: below 1e-11 for e_n ≥ 0.005 (numerical), 1e-13 (closed, linear and hysteretic).
+/// Throws std::invalid_argument for velocity or mass_eff not finite and > 0, and for closed_form without one.
+Collision collide(const Linear& law, const Impact& impact, const CollideOptions& options = {});
+Collision collide(const KuwabaraKono& law, const Impact& impact, const CollideOptions& options = {});
+Collision collide(const Tsuji& law, const Impact& impact, const CollideOptions& options = {});
+Collision collide(const Hysteretic& law, const Impact& impact, const CollideOptions& options = {});
+
+}  // namespace ricochet

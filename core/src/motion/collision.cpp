@@ -1,0 +1,60 @@
+#include <ricochet/detail/require.hpp>
+#include <ricochet/motion/collision.hpp>
+
+#include "closed_forms.hpp"
+#include "numerical_collision.hpp"
+
+#include <stdexcept>
+
+namespace ricochet {
+namespace {
+
+void require_impact(const Impact& impact) {
+  detail::require_positive("velocity", impact.velocity);
+  detail::require_positive("mass_eff", impact.mass_eff);
+}
+
+template <class Motion, class Law>
+Collision integrate(const Law& law, const Impact& impact, const CollideOptions& options) {
+  const double unit = motion::time_unit<Motion>(law.k(), impact.velocity, impact.mass_eff);
+  const Motion scaled{motion::damping_group<Motion>(law.c(), impact.velocity, impact.mass_eff, unit)};
+  return motion::in_units(motion::follow(scaled, options), impact, unit);
+}
+
+Collision integrate(const Hysteretic& law, const Impact& impact, const CollideOptions& options) {
+  const double unit = std::sqrt(impact.mass_eff / law.k1());
+  return motion::in_units(motion::follow_hysteretic(law.k2() / law.k1(), options), impact, unit);
+}
+
+void require_numerical(const CollideOptions& options, const char* law) {
+  if (options.method == CollideMethod::closed_form)
+    throw std::invalid_argument(std::string("method = closed_form: the ") + law + " law has none");
+}
+
+}  // namespace
+
+Collision collide(const Linear& law, const Impact& impact, const CollideOptions& options) {
+  require_impact(impact);
+  if (options.method != CollideMethod::numerical) return motion::closed_form(law, impact, options.end);
+  return integrate<motion::LinearMotion>(law, impact, options);
+}
+
+Collision collide(const KuwabaraKono& law, const Impact& impact, const CollideOptions& options) {
+  require_impact(impact);
+  require_numerical(options, "Kuwabara-Kono");
+  return integrate<motion::KuwabaraKonoMotion>(law, impact, options);
+}
+
+Collision collide(const Tsuji& law, const Impact& impact, const CollideOptions& options) {
+  require_impact(impact);
+  require_numerical(options, "Tsuji");
+  return integrate<motion::TsujiMotion>(law, impact, options);
+}
+
+Collision collide(const Hysteretic& law, const Impact& impact, const CollideOptions& options) {
+  require_impact(impact);
+  if (options.method != CollideMethod::numerical) return motion::closed_form(law, impact, options.end);
+  return integrate(law, impact, options);
+}
+
+}  // namespace ricochet

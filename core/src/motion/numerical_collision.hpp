@@ -1,0 +1,20 @@
+#pragma once
+
+#include <ricochet/motion/collision.hpp>
+
+#include "damped_power.hpp"
+
+namespace ricochet::motion {
+
+/// Follows the scaled motion from the first touch to the asked end. Scaled result; see `in_units`.
+template <class Motion>
+Collision follow(const Motion& motion, const CollideOptions& options);
+
+extern template Collision follow(const LinearMotion&, const CollideOptions&);
+extern template Collision follow(const KuwabaraKonoMotion&, const CollideOptions&);
+extern template Collision follow(const TsujiMotion&, const CollideOptions&);
+
+/// The hysteretic law itself, k₁ = 1 and k₂ = `stiffening`, its memory advanced at the turning point. Scaled result.
+Collision follow_hysteretic(double stiffening, const CollideOptions& options);
+
+}  // namespace ricochet::motion
