@@ -1,0 +1,122 @@
+#include "../console/temporary_folder.hpp"
+
+#include <verify/program.hpp>
+
+#include <CLI/CLI.hpp>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace ricochet;
+using namespace ricochet::verify;
+
+namespace {
+
+/// A study whose gate passes as long as the value given on the command line stays small.
+class Toy : public Study {
+ public:
+  std::string name() const override { return "toy"; }
+  std::string claim() const override { return "x is small"; }
+  void add_options(CLI::App& app) override { app.add_option("--x", x_, "a number"); }
+  StudyResult run(const RunOptions& options) override {
+    if (x_ > 100) throw std::runtime_error("x broke");
+    StudyResult result;
+    result.tables.emplace_back(std::vector<console::Column>{{"x", "m"}, {"thorough"}}, "A table");
+    result.tables[0].row({x_, options.thorough});
+    result.gates = {at_most("x is small", x_, 1)};
+    result.extra["nc"] = 3;
+    return result;
+  }
+
+ private:
+  double x_ = 0.5;
+};
+
+struct Ran {
+  int code;
+  std::string out;
+};
+
+/// Runs `verify` with one toy study and the given arguments, the output through -o.
+Ran run(std::vector<const char*> arguments) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "out";
+  Studies studies;
+  studies.push_back(std::make_unique<Toy>());
+  arguments.insert(arguments.begin(), "verify");
+  arguments.insert(arguments.end(), {"-o", file.c_str()});
+  const int code = run_verify(studies, static_cast<int>(arguments.size()), arguments.data());
+  return {code, read_file(file)};
+}
+
+}  // namespace
+
+TEST_CASE("gates pass on the right side only, and never for what is not a number") {
+  const double nan = std::nan("");
+  const double inf = std::numeric_limits<double>::infinity();
+  CHECK(at_most("", 1, 1).pass);
+  CHECK_FALSE(at_most("", std::nextafter(1, 2), 1).pass);
+  CHECK(at_least("", 1, 1).pass);
+  CHECK_FALSE(at_least("", std::nextafter(1, 0), 1).pass);
+  CHECK(between("", 1.5, 1, 2).pass);
+  CHECK_FALSE(between("", 0.5, 1, 2).pass);
+  CHECK_FALSE(between("", 2.5, 1, 2).pass);
+  CHECK(near("", 2.0625, 2, 0.0625).pass);
+  CHECK_FALSE(near("", 2.2, 2, 0.1).pass);
+  CHECK_FALSE(near("", 1.8, 2, 0.1).pass);
+  CHECK(holds("", true).pass);
+  CHECK_FALSE(holds("", false).pass);
+  for (const double value : {nan, inf, -inf}) {
+    CHECK_FALSE(at_most("", value, 1).pass);
+    CHECK_FALSE(at_least("", value, 1).pass);
+    CHECK_FALSE(between("", value, -1, 1).pass);
+  }
+  CHECK(to_json(at_most("a", nan, 1)).dump() ==
+        R"({"name":"a","value":null,"kind":"at_most","bound":1.0,"pass":false})");
+  CHECK(to_json(near("a", 2, 2, 0.5)).dump() ==
+        R"({"name":"a","value":2.0,"kind":"between","bound":[1.5,2.5],"pass":true})");
+}
+
+TEST_CASE("a study prints its tables and gates") {
+  const Ran ran = run({"toy"});
+  CHECK(ran.code == 0);
+  CHECK(ran.out ==
+        "A table\n  x  thorough\n[m]\n---  --------\n0.5  no\n"
+        "\nGates\ngate        value  bound  pass\n----------  -----  -----  ----\nx is small    0.5  <= 1   yes\n");
+}
+
+TEST_CASE("a failed gate is exit code 1, with the output") {
+  const Ran ran = run({"toy", "--x", "2", "--format", "json"});
+  CHECK(ran.code == 1);
+  const auto json = console::Json::parse(ran.out);
+  CHECK(json["schema"] == "ricochet/toy/1");
+  CHECK(json["gates"][0]["pass"] == false);
+  CHECK(json["rows"][0]["x"] == 2.0);
+  CHECK(json["units"]["x"] == "m");
+  CHECK(json["nc"] == 3);
+}
+
+TEST_CASE("CSV carries the data alone") { CHECK(run({"toy", "--format", "csv"}).out == "x [m],thorough\n0.5,false\n"); }
+
+TEST_CASE("an unknown study, or none, is bad input; a broken one failed") {
+  CHECK(run({"none"}).code == 2);
+  CHECK(run({}).code == 2);
+  const Ran broken = run({"toy", "--x", "101"});
+  CHECK(broken.code == 4);
+  CHECK(broken.out.empty());
+}
+
+TEST_CASE("all runs every study thoroughly and writes the report") {
+  const TemporaryFolder folder;
+  const Ran ran = run({"all", "--report", (folder / "report").c_str(), "--format", "json"});
+  CHECK(ran.code == 0);
+  const auto json = console::Json::parse(ran.out);
+  CHECK(json["schema"] == "ricochet/all/1");
+  CHECK(json["gates"][0]["name"] == "toy: x is small");
+  CHECK(json["studies"][0]["rows"][0]["thorough"] == true);
+  CHECK(read_file(folder / "report/toy.csv") == "x [m],thorough\n0.5,true\n");
+  CHECK(console::Json::parse(read_file(folder / "report/toy.json"))["schema"] == "ricochet/toy/1");
+  CHECK(console::Json::parse(run({"all", "--quick", "--format", "json"}).out)["studies"][0]["rows"][0]["thorough"] ==
+        false);
+}

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <verify/gate.hpp>
+
+#include <console/json.hpp>
+#include <console/plot.hpp>
+#include <console/table.hpp>
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace ricochet::verify {
+
+struct RunOptions {
+  bool thorough = false;  ///< also what takes longer than a test run may: finer meshes, more cases
+};
+
+struct StudyResult {
+  std::vector<Gate> gates;
+  std::vector<console::Table> tables;             ///< shown in this order; CSV files of a report
+  console::Json rows = nullptr;                   ///< "rows" of the JSON; null: the rows of the first table
+  console::Json extra = console::Json::object();  ///< further members of the JSON's top level
+  std::vector<console::Figure> figures;
+  std::string verdict;  ///< what was found, in one sentence, made from the numbers of this run
+};
+
+/// One thing that is verified: a claim, the measurement, and the gates. A study has no physics of its own: it calls
+/// the library. To add one, write verify/studies/<name>.cpp with `std::unique_ptr<Study> <name>_study()` and name it
+/// in verify/studies.inc.
+class Study {
+ public:
+  virtual ~Study() = default;
+
+  /// The word on the command line and in the schema "ricochet/<name>/1".
+  virtual std::string name() const = 0;
+  /// What is claimed and by whom (equation, figure or table of the paper), in one sentence.
+  virtual std::string claim() const = 0;
+  /// Adds the study's own options to its subcommand; they keep their defaults in `verify all`.
+  virtual void add_options(CLI::App&) {}
+  virtual StudyResult run(const RunOptions& options) = 0;
+};
+
+/// Folder of the data files: beside the sources when run from the build tree, share/ricochet/data when installed.
+std::string data_folder();
+
+}  // namespace ricochet::verify

@@ -1,0 +1,136 @@
+#include <verify/program.hpp>
+#include <verify/report.hpp>
+
+#include <console/number.hpp>
+#include <console/output.hpp>
+#include <console/program.hpp>
+#include <console/progress.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet::verify {
+
+namespace {
+
+using console::Exit;
+using console::Format;
+using console::Json;
+
+struct Options {
+  console::OutputOptions output;
+  RunOptions run;
+  std::string folder;  // figures of one study, report of all
+};
+
+std::string shown(const Study& study, const StudyResult& result, Format format) {
+  if (format == Format::json) return console::document(study_json(study, result));
+  auto tables = result.tables;
+  // CSV is for the data; whoever wants the gates in a machine's hands takes the JSON.
+  if (format != Format::csv) tables.push_back(gate_table(result.gates));
+  std::string text = console::render_all(tables, format);
+  if (format != Format::csv && !result.verdict.empty()) text += "\n" + result.verdict + "\n";
+  return text;
+}
+
+Exit judged(const Study& study, const StudyResult& result) {
+  for (const Gate& gate : result.gates)
+    if (!gate.pass)
+      console::complain("verify", study.name() + ": gate failed: " + gate.name + " = " +
+                                      (std::isfinite(gate.value) ? console::shortest(gate.value) : "not finite") +
+                                      ": must be " + bound_text(gate));
+  return all_pass(result.gates) ? Exit::done : Exit::gate_failed;
+}
+
+Exit run_one(Study& study, const Options& options) {
+  const StudyResult result = study.run(options.run);
+  if (!options.folder.empty()) write_study(study, result, options.folder);
+  console::emit(options.output.file, shown(study, result, options.output.format));
+  return judged(study, result);
+}
+
+/// A study that breaks down does not keep the others from being run; it shows in the exit code.
+Exit run_all(const Studies& studies, const Options& options) {
+  Exit worst = Exit::done;
+  std::string text;
+  Json all{{"schema", "ricochet/all/1"}, {"gates", Json::array()}, {"studies", Json::array()}};
+  {
+    console::Progress progress("verify", studies.size());
+    for (const auto& study : studies) {
+      try {
+        const StudyResult result = study->run(options.run);
+        if (!options.folder.empty()) write_study(*study, result, options.folder);
+        for (Gate gate : result.gates) {
+          gate.name = study->name() + ": " + gate.name;
+          all["gates"].push_back(to_json(gate));
+        }
+        if (options.output.format == Format::json)
+          all["studies"].push_back(study_json(*study, result));
+        else
+          text += (text.empty() ? "" : "\n") + shown(*study, result, options.output.format);
+        worst = std::max(worst, judged(*study, result));
+      } catch (const std::exception& error) {
+        console::complain("verify", study->name() + ": " + error.what());
+        worst = std::max(worst, console::exit_code(error));
+      }
+      progress.advance();
+    }
+  }
+  console::emit(options.output.file, options.output.format == Format::json ? console::document(all) : text);
+  return worst;
+}
+
+void add_common(CLI::App& app, Options& options, const std::string& folder_flag, const std::string& folder_help) {
+  console::add_output_options(app, options.output);
+  app.add_option(folder_flag, options.folder, folder_help)->type_name("DIR");
+}
+
+}  // namespace
+
+Json study_json(const Study& study, const StudyResult& result) {
+  Json json{{"schema", "ricochet/" + study.name() + "/1"}, {"claim", study.claim()}, {"verdict", result.verdict}};
+  json.update(result.extra);
+  json["gates"] = Json::array();
+  for (const Gate& gate : result.gates) json["gates"].push_back(to_json(gate));
+  if (!result.rows.is_null()) {
+    json["rows"] = result.rows;
+    return json;
+  }
+  json["units"] = result.tables.empty() ? Json::object() : console::units_of(result.tables[0]);
+  json["rows"] = result.tables.empty() ? Json::array() : console::rows_of(result.tables[0]);
+  return json;
+}
+
+int run_verify(const Studies& studies, int argc, const char* const* argv) {
+  CLI::App app("Checks the laws, the numerics and the paper's figures against what they claim", "verify");
+  console::add_version(app);
+  app.require_subcommand(1);
+  app.footer("Exit code 0: every gate passed; 1: a gate failed; 2: bad input; 4: a study broke down.");
+  Options options;
+  const auto thorough = [&options](CLI::App& command) {
+    command.add_flag("--thorough", options.run.thorough, "also what takes longer than a test run may");
+  };
+  for (const auto& study : studies) {
+    CLI::App* command = app.add_subcommand(study->name(), study->claim());
+    add_common(*command, options, "--figures", "also write the study with its figures into this folder");
+    thorough(*command);
+    study->add_options(*command);
+  }
+  CLI::App* all = app.add_subcommand("all", "every study, thoroughly");
+  add_common(*all, options, "--report", "also write every study with its figures into this folder");
+  bool quick = false;
+  all->add_flag("--quick", quick, "leave out what takes longer than a test run may");
+  return console::run_program(app, argc, argv, [&] {
+    if (all->parsed()) {
+      options.run.thorough = !quick;
+      return run_all(studies, options);
+    }
+    const auto chosen = std::find_if(studies.begin(), studies.end(),
+                                     [&](const auto& study) { return app.got_subcommand(study->name()); });
+    return run_one(**chosen, options);
+  });
+}
+
+}  // namespace ricochet::verify
