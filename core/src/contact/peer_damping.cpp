@@ -68,10 +68,10 @@ const std::array<PeerDamping, 19> peers{{
      "yade/trunk pkg/dem/ViscoelasticPM.cpp; Pournin et al. 2001"},
     {"yade young-en", "Yade, ViscElMat(young, en): its equation, solved exactly", PeerLaw::linear, force, true,
      schwager_poeschel, "yade/trunk pkg/dem/ViscoelasticPM.cpp; Schwager & Poeschel 2007"},
-    {"yade mindlin en", "Yade, MindlinPhys(en)", PeerLaw::tsuji, force, false, logarithmic,
-     "yade/trunk pkg/dem/HertzMindlin.cpp; Antypov & Elliott 2011"},
-    {"thornton betan", "Kratos, and Yade's MindlinPhys(betan) with the polynomial of Thornton et al.", PeerLaw::tsuji,
-     force, false, thornton, "KratosMultiphysics/Kratos DEM GammaForHertzThornton; Thornton, Cummins & Cleary 2013"},
+    {"yade mindlin 2019", "Yade of 2019, MindlinPhys(en)", PeerLaw::tsuji, force, false, logarithmic,
+     "yade/trunk pkg/dem/HertzMindlin.cpp of 2019; Antypov & Elliott 2011"},
+    {"yade mindlin 2023", "Yade 2023.02a, MindlinPhys(en); also Kratos", PeerLaw::tsuji, force, false, thornton,
+     "yade/trunk pkg/dem/HertzMindlin.cpp; Thornton, Cummins & Cleary 2013, Eqs. (B6), (B7), Table 2"},
 }};
 
 }  // namespace

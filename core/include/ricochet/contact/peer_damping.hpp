@@ -29,8 +29,9 @@ std::span<const PeerDamping> peer_dampings();
 /// the curve drawn by Tsuji, Tanaka and Ishida (1992). Falls from 1.2728 at e = 0 to 0.0003 at e = 1.
 double marshall_polynomial(double en);
 
-/// γ(e) of C. Thornton, S. J. Cummins and P. W. Cleary, Powder Technol. 233, 30 (2013): c = 2γ√(m K_t) with the tangent
-/// stiffness K_t = (3/2)kζ^{1/2}, a fit of degree 10 for Tsuji's law ended by force. 0 < e < 1.
+/// γ(e) of C. Thornton, S. J. Cummins and P. W. Cleary, Powder Technol. 233, 30 (2013), Eqs. (B6), (B7), Table 2:
+/// c = 2γ√(m K_t) with the tangent stiffness K_t = (3/2)kζ^{1/2}, a fit of degree 10 for Tsuji's law ended by force.
+/// 0 < e < 1.
 double thornton_polynomial(double en);
 
 }  // namespace ricochet
