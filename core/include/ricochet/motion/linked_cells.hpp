@@ -1,0 +1,43 @@
+#pragma once
+
+#include <ricochet/contact/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ricochet {
+
+struct NearPair {
+  std::uint32_t i, j;  ///< i < j
+  auto operator<=>(const NearPair&) const = default;
+};
+
+/// All pairs of spheres with |x_i − x_j| ≤ r_i + r_j + skin, ordered by (i, j). Space is unbounded: cells of edge
+/// 2 r_max + skin exist only where spheres are, found by hashing. Time and memory linear in the number of spheres while
+/// their sizes are alike (a cell holds as many small spheres as fit beside the largest).
+/// Throws std::invalid_argument for spans of unequal length, a radius not finite and > 0 or a negative skin.
+std::vector<NearPair> near_pairs(std::span<const Vec3> positions, std::span<const double> radii, double skin);
+
+/// Keeps near_pairs valid while spheres move. After `update(x)`, every pair that overlaps at x is listed: a pair not
+/// listed had a gap > skin when the list was built, no sphere has moved by more than skin/2 since (else the list is
+/// rebuilt first), so its gap is still > 0.
+class NeighbourList {
+ public:
+  NeighbourList(std::vector<double> radii, double skin);
+
+  /// Makes the list valid for `positions`; true if it was rebuilt.
+  bool update(std::span<const Vec3> positions);
+  std::span<const NearPair> pairs() const noexcept { return pairs_; }
+  double skin() const noexcept { return skin_; }
+
+ private:
+  bool still_valid(std::span<const Vec3> positions) const noexcept;
+
+  std::vector<double> radii_;
+  double skin_;
+  std::vector<Vec3> built_at_;
+  std::vector<NearPair> pairs_;
+};
+
+}  // namespace ricochet

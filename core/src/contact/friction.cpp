@@ -1,0 +1,168 @@
+#include <ricochet/contact/friction.hpp>
+
+#include <ricochet/detail/require.hpp>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+namespace ricochet {
+
+Friction::Friction(double mu_static, double mu_dynamic, double decay, double rolling_arm)
+    : mu_static_(mu_static), mu_dynamic_(mu_dynamic), decay_(decay), rolling_arm_(rolling_arm) {
+  detail::require_not_negative("mu_static", mu_static);
+  detail::require_not_negative("mu_dynamic", mu_dynamic);
+  detail::require(mu_dynamic <= mu_static, "mu_dynamic", mu_dynamic, "at most mu_static");
+  detail::require_not_negative("decay", decay);
+  detail::require_not_negative("rolling_arm", rolling_arm);
+}
+
+namespace {
+
+// Speeds at the edge of the contact disc, both ≥ 0: x of sliding, y of spinning, λ = x/y.
+struct Speeds {
+  double x, y;
+};
+
+DiscFriction disc_friction(Speeds s) noexcept { return ricochet::disc_friction(s.x / s.y); }
+
+// Beyond this ratio λ is as good as 0 or ∞ in double precision.
+constexpr double far = 1e12;
+
+// Finds the speeds with x = X − αF(x/y), y = Y − β𝒯(x/y), the implicit step of friction. Nothing if there are none
+// above zero: then (X/α, Y/β) lies inside the limit curve and the contact sticks. The root is unique as (F, 𝒯) is the
+// gradient of a convex function.
+std::optional<Speeds> resisted(Speeds start, double alpha, double beta) noexcept {
+  const auto [X, Y] = start;
+  if (X * beta + 1.5 * Y * alpha <= alpha * beta) return std::nullopt;  // the chord under the limit curve
+  if (Y * far <= X) return X > alpha ? std::optional(Speeds{X - alpha, Y / (1 + beta / (4 * (X - alpha)))}) : std::nullopt;
+  if (X * far <= Y) {
+    const double y = Y - 2.0 / 3 * beta;
+    return y > 0 ? std::optional(Speeds{X / (1 + alpha / y), y}) : std::nullopt;
+  }
+  const auto mismatch = [&](double lambda) {
+    const DiscFriction f = ricochet::disc_friction(lambda);
+    return (X - alpha * f.force) - lambda * (Y - beta * f.torque);
+  };
+  // Widen from λ = X/Y until the root is bracketed: mismatch > 0 towards λ = 0 and < 0 towards λ = ∞.
+  double low = X / Y, high = low, at_low = mismatch(low), at_high = at_low;
+  while (at_low < 0 && low > 1 / (far * far)) high = low, at_high = at_low, low /= 4, at_low = mismatch(low);
+  while (at_high > 0 && high < far * far) low = high, at_low = at_high, high *= 4, at_high = mismatch(high);
+  double lambda = at_low == 0 ? low : high;
+  if (at_low > 0 && at_high < 0) {
+    std::uintmax_t evaluations = 60;
+    const auto root = boost::math::tools::toms748_solve(mismatch, low, high, at_low, at_high,
+                                                        boost::math::tools::eps_tolerance<double>(50), evaluations);
+    lambda = 0.5 * (root.first + root.second);
+  }
+  const DiscFriction f = ricochet::disc_friction(lambda);
+  const Speeds end{X - alpha * f.force, Y - beta * f.torque};
+  return end.x > 0 && end.y > 0 ? std::optional(end) : std::nullopt;
+}
+
+bool admits_stick(double force, double torque) noexcept {
+  return force <= 1 && torque <= 2.0 / 3 && !resisted({force, torque}, 1, 1);
+}
+
+struct Slide {
+  Vec3 impulse;
+  double torsion = 0;
+  bool sticks = false;
+};
+
+Vec3 unit(Vec3 a) noexcept {
+  const double length = norm(a);
+  return length > 0 ? a / length : Vec3{};
+}
+
+// Friction of the disc against the motion `at`, with impulse limit μN.
+Slide against(Vec3 direction, double spin_sign, Speeds at, double limit, double radius) noexcept {
+  const DiscFriction f = disc_friction(at);
+  return {-limit * f.force * direction, -limit * radius * f.torque * spin_sign, false};
+}
+
+// Sliding and torsion, the rolling impulse given (within `free`).
+Slide slide(const Friction& friction, const FrictionProblem& p, const SlipMotion& free, Vec3 guess) noexcept {
+  const double a = p.contact_radius, N = p.normal_impulse;
+  const Vec3 to_stop = free.slip + p.turning;
+  const double hold = friction.mu_static() * N;
+  if (admits_stick(norm(to_stop) / (p.mobility.slip * hold), a > 0 ? std::abs(free.spin) / (p.mobility.roll * hold * a) : 0))
+    return {-to_stop / p.mobility.slip, a > 0 ? -free.spin / p.mobility.roll : 0, true};
+
+  const Vec3 middle = 0.5 * (p.before.slip + free.slip);
+  const double limit = friction.coefficient(norm(middle + 0.5 * p.mobility.slip * guess)) * N;
+  const double alpha = limit * p.mobility.slip, beta = limit * p.mobility.roll * a * a;
+  // Midpoint rule: the impulse is that of the motion in the middle of the step.
+  const double spin = 0.5 * (p.before.spin + free.spin);
+  if (const auto at = resisted({norm(middle), a * std::abs(spin)}, 0.5 * alpha, 0.5 * beta)) {
+    const Slide s = against(unit(middle), std::copysign(1.0, spin), *at, limit, a);
+    const double end_spin = free.spin + p.mobility.roll * s.torsion;
+    if (dot(free.slip + p.mobility.slip * s.impulse, middle) >= 0 && end_spin * spin >= 0) return s;
+  }
+  // Implicit Euler: the impulse is that of the motion at the end.
+  if (const auto at = resisted({norm(to_stop), a * std::abs(free.spin)}, alpha, beta))
+    return against(unit(to_stop), std::copysign(1.0, free.spin), *at, limit, a);
+  return {-to_stop / p.mobility.slip, a > 0 ? -free.spin / p.mobility.roll : 0, true};  // μ(u) > its value at the guess
+}
+
+struct Roll {
+  Vec3 impulse;
+  bool holds = false;
+};
+
+// Rolling resistance, the sliding impulse given (within `free`): |impulse| ≤ ρ(w/2)N, Eq. (46).
+Roll roll(const FrictionProblem& p, Vec3 free, double limit) noexcept {
+  const double reach = p.mobility.roll * limit;
+  if (norm(free) <= reach) return {-free / p.mobility.roll, limit > 0};
+  const Vec3 middle = 0.5 * (p.before.roll + free);
+  if (norm(middle) > 0.5 * reach) return {-limit * unit(middle), false};
+  return {-limit * unit(free), false};
+}
+
+// Where in the step the slip reached zero, had the contact gone on sliding.
+double slip_fraction(const Friction& friction, const FrictionProblem& p, const SlipMotion& free) noexcept {
+  const double start = norm(p.before.slip);
+  if (start == 0) return 0;
+  const double limit = friction.coefficient(0.5 * start) * p.normal_impulse;
+  const Vec3 direction = p.before.slip / start;
+  const double end = dot(free.slip, direction) - limit * p.mobility.slip;
+  return end < 0 ? start / (start - end) : 1.0;
+}
+
+}  // namespace
+
+FrictionSolution friction_impulse(const Friction& friction, const FrictionProblem& p,
+                                  const FrictionImpulse& guess) noexcept {
+  FrictionSolution s;
+  if (p.normal_impulse <= 0 || friction.mu_static() <= 0) return s;
+  const SlipMobility& m = p.mobility;
+  const double roll_limit = friction.rolling_arm() * p.contact_radius * p.normal_impulse;
+  // Sliding and rolling act on each other. Try first that both end, which a sphere at rest needs: one 2×2 system.
+  const Vec3 to_stop = p.free.slip + p.turning;
+  const double determinant = m.slip * m.roll - m.cross * m.cross;
+  const Vec3 held_roll = (m.cross * to_stop - m.slip * p.free.roll) / determinant;
+  if (roll_limit > 0 && norm(held_roll) <= roll_limit) s.impulse.rolling = held_roll;
+  else s.impulse.rolling = guess.rolling;
+
+  const bool constant_mu = friction.decay() == 0 || friction.mu_dynamic() == friction.mu_static();
+  SlipMotion free = p.free;
+  Vec3 sliding = guess.sliding;
+  for (int pass = 0; pass < 50; ++pass) {
+    free.slip = p.free.slip + m.cross * s.impulse.rolling;
+    const Slide slid = slide(friction, p, free, sliding);
+    const Roll rolled = roll(p, p.free.roll + m.cross * slid.impulse, roll_limit);
+    const double rolling_change = norm(rolled.impulse - s.impulse.rolling), sliding_change = norm(slid.impulse - sliding);
+    s.impulse = {slid.impulse, slid.torsion, rolled.impulse};
+    s.sticks = slid.sticks;
+    s.holds_roll = rolled.holds;
+    sliding = slid.impulse;
+    const bool slide_settled = slid.sticks || constant_mu || sliding_change <= 1e-14 * norm(sliding);
+    if (rolling_change <= 1e-14 * roll_limit && slide_settled) break;
+  }
+  if (s.sticks) s.slip_fraction = slip_fraction(friction, p, free);
+  return s;
+}
+
+}  // namespace ricochet

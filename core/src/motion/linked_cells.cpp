@@ -1,0 +1,115 @@
+#include <ricochet/motion/linked_cells.hpp>
+
+#include <ricochet/detail/require.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+
+namespace ricochet {
+namespace {
+
+struct Cell {
+  std::int32_t x, y, z;
+  bool operator==(const Cell&) const = default;
+};
+
+// Whoever flies beyond 10⁹ cells shares the outermost one. Clamping never increases a distance, so two spheres less
+// than a cell's edge apart are still in the same or in adjacent cells, whatever their place.
+std::int32_t cell_index(double x, double edge) noexcept {
+  constexpr double outermost = 1e9;
+  const double index = std::floor(x / edge);
+  return static_cast<std::int32_t>(index > -outermost ? std::min(index, outermost) : -outermost);
+}
+
+Cell cell_of(Vec3 p, double edge) noexcept {
+  return {cell_index(p.x, edge), cell_index(p.y, edge), cell_index(p.z, edge)};
+}
+
+std::size_t hash(Cell c) noexcept {
+  const auto word = [](std::int32_t v) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v)); };
+  std::uint64_t h = word(c.x) * 0x9E3779B97F4A7C15u ^ word(c.y) * 0xC2B2AE3D27D4EB4Fu ^ word(c.z) * 0x165667B19E3779F9u;
+  return static_cast<std::size_t>(h ^ (h >> 29));
+}
+
+// Spheres sorted by the bucket of their cell: one bucket is one contiguous range.
+class Buckets {
+ public:
+  Buckets(std::span<const Vec3> positions, double edge)
+      : mask_(std::bit_ceil(std::max<std::size_t>(positions.size(), 1)) - 1), begin_(mask_ + 2), members_(positions.size()) {
+    cells_.reserve(positions.size());
+    for (const Vec3& p : positions) ++begin_[bucket(cells_.emplace_back(cell_of(p, edge))) + 1];
+    for (std::size_t b = 1; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t i = 0; i < cells_.size(); ++i) members_[next[bucket(cells_[i])]++] = i;
+  }
+
+  const Cell& cell(std::uint32_t i) const noexcept { return cells_[i]; }
+
+  // The spheres of one cell; strangers of the same bucket are told apart by their cell.
+  template <class Visit>
+  void visit(const Cell& c, Visit&& visit) const {
+    const std::size_t b = bucket(c);
+    for (std::uint32_t k = begin_[b]; k < begin_[b + 1]; ++k)
+      if (cells_[members_[k]] == c) visit(members_[k]);
+  }
+
+ private:
+  std::size_t bucket(const Cell& c) const noexcept { return hash(c) & mask_; }
+
+  std::size_t mask_;
+  std::vector<std::uint32_t> begin_, members_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace
+
+std::vector<NearPair> near_pairs(std::span<const Vec3> positions, std::span<const double> radii, double skin) {
+  if (positions.size() != radii.size()) throw std::invalid_argument("positions and radii must be of equal length");
+  detail::require_not_negative("skin", skin);
+  for (double r : radii) detail::require_positive("radius", r);
+  std::vector<NearPair> pairs;
+  if (positions.empty()) return pairs;
+  // A margin of 10⁻⁶ covers the rounding of x/edge up to the outermost cell.
+  const double edge = (2 * *std::max_element(radii.begin(), radii.end()) + skin) * (1 + 1e-6);
+  const Buckets buckets(positions, edge);
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    const Cell home = buckets.cell(i);
+    const std::size_t first = pairs.size();
+    const auto meet = [&](std::uint32_t j) {
+      if (j <= i) return;
+      const Vec3 d = positions[j] - positions[i];
+      const double reach = radii[i] + radii[j] + skin;
+      if (dot(d, d) <= reach * reach) pairs.push_back({i, j});
+    };
+    for (std::int32_t x = home.x - 1; x <= home.x + 1; ++x)
+      for (std::int32_t y = home.y - 1; y <= home.y + 1; ++y)
+        for (std::int32_t z = home.z - 1; z <= home.z + 1; ++z) buckets.visit({x, y, z}, meet);
+    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end());
+  }
+  return pairs;
+}
+
+NeighbourList::NeighbourList(std::vector<double> radii, double skin) : radii_(std::move(radii)), skin_(skin) {
+  detail::require_not_negative("skin", skin);
+}
+
+bool NeighbourList::still_valid(std::span<const Vec3> positions) const noexcept {
+  if (built_at_.size() != positions.size()) return false;
+  // A hair below skin/2, so that rounding of the squares cannot admit a pair that has just begun to overlap.
+  const double allowed = 0.25 * skin_ * skin_ * (1 - 1e-9);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec3 moved = positions[i] - built_at_[i];
+    if (!(dot(moved, moved) <= allowed)) return false;
+  }
+  return true;
+}
+
+bool NeighbourList::update(std::span<const Vec3> positions) {
+  if (still_valid(positions)) return false;
+  pairs_ = near_pairs(positions, radii_, skin_);
+  built_at_.assign(positions.begin(), positions.end());
+  return true;
+}
+
+}  // namespace ricochet
