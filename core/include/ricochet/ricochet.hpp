@@ -1,7 +1,11 @@
 #pragma once
 
 #include <ricochet/contact/any_law.hpp>
+#include <ricochet/contact/friction.hpp>
+#include <ricochet/contact/geometry.hpp>
 #include <ricochet/contact/law.hpp>
+#include <ricochet/contact/vec3.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
-#include <ricochet/version.hpp>
 #include <ricochet/motion/collision.hpp>
+#include <ricochet/motion/linked_cells.hpp>
+#include <ricochet/version.hpp>
