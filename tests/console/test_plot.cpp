@@ -9,11 +9,14 @@
 
 using namespace ricochet::console;
 
-TEST_CASE("gnuplot draws SVG and PNG beside the data") {
+TEST_CASE("gnuplot draws SVG and PNG beside the data, in any locale") {
+  const char* locale = GENERATE("C", "C.UTF-8", "de_DE.UTF-8");
+  ::setenv("LC_ALL", locale, 1);
   const TemporaryFolder folder;
-  draw({"line", "A straight line", "plot 'line.csv' skip 1 using 1:2 with lines title 'y'",
+  draw({"line", "A straight line", "plot 'line.csv' skip 1 using 1:2 with lines title 'ζ [µm]'",
         {{"line.csv", "x,y\n0,0\n1,1\n"}}},
        folder / "plots");
+  ::unsetenv("LC_ALL");
   CHECK(read_file(folder / "plots/line.csv") == "x,y\n0,0\n1,1\n");
   CHECK(read_file(folder / "plots/line.svg").find("</svg>") != std::string::npos);
   CHECK(read_file(folder / "plots/line.png").substr(1, 3) == "PNG");

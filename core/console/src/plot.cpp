@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 extern char** environ;
 
@@ -61,6 +62,15 @@ struct Ran {
   int status;
 };
 
+/// This process's environment in the C.UTF-8 locale: in plain C gnuplot warns about its degree sign, and in others
+/// it would draw decimal commas.
+std::vector<std::string> utf8_environment() {
+  std::vector<std::string> variables{"LC_ALL=C.UTF-8"};
+  for (char** entry = environ; *entry; ++entry)
+    if (!std::string_view(*entry).starts_with("LC_ALL=")) variables.emplace_back(*entry);
+  return variables;
+}
+
 Ran gnuplot(const std::string& script, const std::string& folder) {
   MemoryFile in;
   MemoryFile out;
@@ -74,8 +84,12 @@ Ran gnuplot(const std::string& script, const std::string& folder) {
   ::posix_spawn_file_actions_adddup2(&actions, err.descriptor(), STDERR_FILENO);
   std::array<char, 8> name{"gnuplot"};
   std::array<char*, 2> arguments{name.data(), nullptr};
+  std::vector<std::string> variables = utf8_environment();
+  std::vector<char*> environment;
+  for (std::string& variable : variables) environment.push_back(variable.data());
+  environment.push_back(nullptr);
   pid_t child = 0;
-  const int error = ::posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  const int error = ::posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environment.data());
   ::posix_spawn_file_actions_destroy(&actions);
   if (error == ENOENT) throw Failed("gnuplot: not found; Debian's package is gnuplot-nox");
   if (error != 0) throw Failed("gnuplot: cannot start: " + std::generic_category().message(error));
