@@ -1,0 +1,136 @@
+#include "mittag_leffler_reference.hpp"
+
+#include <catch2/catch.hpp>
+#include <ricochet/fractional/mittag_leffler.hpp>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using ricochet::MittagLeffler;
+using ricochet::mittag_leffler;
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// The promise of the header.
+double bound(double value, double slope) { return 1e-13 * std::abs(value) + 20 * epsilon * std::abs(slope); }
+
+/// Error in units of the promise; what falls below the smallest double counts as 0.
+double excess(double computed, double value, double slope) {
+  return std::abs(computed - value) / (bound(value, slope) + std::numeric_limits<double>::min());
+}
+
+struct Row {
+  double a, b, x, value;
+};
+
+std::vector<Row> rows(const std::string& file) {
+  std::ifstream in(file);
+  std::vector<Row> result;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#' || line[0] == 'a') continue;
+    Row row{};
+    std::istringstream fields(line);
+    char comma = 0;
+    fields >> row.a >> comma >> row.b >> comma >> row.x >> comma >> row.value;
+    result.push_back(row);
+  }
+  return result;
+}
+
+void compare_with_multiprecision(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  const std::array special_a{0.1, 0.3, 0.5, 0.75, 0.99, 1.0, 1 + 1e-9, 1.001, 1.0625, 1.5, 1.99, 2.0, 2.0001, 2.5, 2.999, 3.0};
+  double worst = 0;
+  for (int i = 0; i < count; ++i) {
+    const double a = uniform(0, 1) < 0.5 ? special_a[random() % special_a.size()] : uniform(0.1, 3);
+    const std::array special_b{0.5, 1.0, 2.0, a, 3.0, 2 * a, a + 1, a + 1e-9, std::abs(a - 1) + 1e-3, uniform(0.01, 6)};
+    const double b = special_b[random() % special_b.size()];
+    const double kind = uniform(0, 1);
+    const double x = kind < 0.4 ? -uniform(0, 12) : kind < 0.8 ? -std::pow(10, uniform(-3, 6)) : uniform(0, 5);
+    if (x > 0 && std::pow(x, 1 / a) > 690) continue;
+    const Reference reference = mittag_leffler_reference(a, b, x);
+    INFO("a = " << a << ", b = " << b << ", x = " << x << ", E = " << reference.digits);
+    const double direct = excess(mittag_leffler(a, b, x), reference.value, reference.slope);
+    const double prepared = excess(MittagLeffler(a, b)(x), reference.value, reference.slope);
+    worst = std::max({worst, direct, prepared});
+    CHECK(direct <= 1);
+    CHECK(prepared <= 1);
+  }
+  INFO("worst error in units of the promise: " << worst);
+  CHECK(worst > 0);
+}
+
+}  // namespace
+
+TEST_CASE("E matches the tabulated reference values") {
+  const std::vector<Row> table = rows(RICOCHET_SOURCE_DIR "/data/mittag_leffler_reference.csv");
+  REQUIRE(table.size() == 213);
+  for (const Row& row : table) {
+    INFO("a = " << row.a << ", b = " << row.b << ", x = " << row.x);
+    const auto f = [&](double x) { return mittag_leffler(row.a, row.b, x); };
+    const double slope = (f(row.x * 1.0001) - f(row.x * 0.9999)) / 2e-4;  // x E', as far as the promise needs it
+    CHECK(excess(f(row.x), row.value, slope) <= 1);
+    CHECK(excess(MittagLeffler(row.a, row.b)(row.x), row.value, slope) <= 1);
+  }
+}
+
+TEST_CASE("E matches multiprecision") { compare_with_multiprecision(50, 1); }
+TEST_CASE("E matches multiprecision at many points", "[.slow]") { compare_with_multiprecision(5000, 2); }
+
+TEST_CASE("the tabulated reference values are those of the multiprecision series", "[.slow]") {
+  for (const Row& row : rows(RICOCHET_SOURCE_DIR "/data/mittag_leffler_reference.csv")) {
+    INFO("a = " << row.a << ", b = " << row.b << ", x = " << row.x);
+    CHECK(std::abs(mittag_leffler_reference(row.a, row.b, row.x).value / row.value - 1) < 2 * epsilon);
+  }
+}
+
+TEST_CASE("E has its closed forms") {
+  for (double x : {-500.0, -40.0, -7.5, -1.0, -1e-3, 0.0, 1e-3, 0.7, 5.0}) {
+    INFO("x = " << x);
+    CHECK(excess(mittag_leffler(1, 1, x), std::exp(x), x * std::exp(x)) <= 1);
+    if (x != 0) CHECK(excess(mittag_leffler(1, 2, x), std::expm1(x) / x, std::exp(x) - std::expm1(x) / x) <= 1);
+    const double root = std::sqrt(std::abs(x));
+    CHECK(excess(mittag_leffler(2, 1, x), x < 0 ? std::cos(root) : std::cosh(root),
+                 0.5 * root * (x < 0 ? std::sin(root) : std::sinh(root))) <= 1);
+    if (x >= -7.5 && x <= 0) {  // erfcx through erfc has lost no digit yet
+      CHECK(excess(mittag_leffler(0.5, 1, x), std::exp(x * x) * std::erfc(-x), x) <= 1);
+    }
+  }
+}
+
+TEST_CASE("E satisfies its recurrence in b and its derivative identity") {
+  for (double a : {0.25, 0.8, 1.0, 1.2, 1.7, 2.0, 2.6})
+    for (double b : {0.7, 1.0, a, 2.0, 4.5})
+      for (double x : {-60.0, -9.0, -1.5, -0.2, 0.4, 0.9}) {
+        INFO("a = " << a << ", b = " << b << ", x = " << x);
+        const double e = mittag_leffler(a, b, x), raised = mittag_leffler(a, a + b, x);
+        const double scale = 1 / std::tgamma(b) + std::abs(x * raised) + std::abs(e);
+        CHECK(std::abs(e - 1 / std::tgamma(b) - x * raised) <= 4e-13 * scale);
+        // d/dx[E_{a,b}] = (E_{a,b−1} − (b−1)E_{a,b})/(a x), against a central difference of order 4
+        const double h = 2e-3 * std::abs(x), at = a < 1 && x > 0 ? 0.5 * x : x;
+        const auto f = [&](double y) { return mittag_leffler(a, b + 1, y); };
+        const double numeric = (8 * (f(at + h) - f(at - h)) - (f(at + 2 * h) - f(at - 2 * h))) / (12 * h);
+        const double exact = (mittag_leffler(a, b, at) - b * mittag_leffler(a, b + 1, at)) / (a * at);
+        CHECK(numeric == Approx(exact).epsilon(1e-7).margin(1e-10));
+      }
+}
+
+TEST_CASE("E says what it cannot do") {
+  CHECK_THROWS_WITH(mittag_leffler(0, 1, -1), "a = 0: must be in (0, 3]");
+  CHECK_THROWS_WITH(mittag_leffler(3.5, 1, -1), "a = 3.5: must be in (0, 3]");
+  CHECK_THROWS_WITH(MittagLeffler(1, 0), "b = 0: must be finite and > 0");
+  CHECK_THROWS_WITH(mittag_leffler(1, 1, 6), "x = 6: must be in [-1e6, 5]");
+  CHECK_THROWS_AS(mittag_leffler(1, 1, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+  CHECK_THROWS_AS(mittag_leffler(0.05, 1, 5), std::overflow_error);
+  CHECK(mittag_leffler(1, 1, -1e6) == 0);
+}
