@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -7,22 +8,35 @@ namespace ricochet {
 
 /// One Maxwell arm of a memory kernel: strength·exp(−rate·t).
 struct Arm {
-  double strength;  ///< > 0, in units of time^{-α}
+  double strength;  ///< > 0 [s^{−α}]
   double rate;      ///< > 0 [1/s]
 };
 
 /// The kernel of the Caputo derivative of order α as a spring, Maxwell arms and a dashpot,
-///   t^{-α}/Γ(1−α) ≈ spring + Σ strength_j exp(−rate_j t) + dashpot δ(t),
+///   t^{−α}/Γ(1−α) ≈ spring + Σ strength_j exp(−rate_j t) + dashpot δ(t),
 /// every coefficient positive, so that each part only stores or dissipates. Immutable.
+///
+/// What it promises, with k the true kernel, K its spring and arms, and δ = shortest(), T = longest():
+/// - on [δ, T]: |K(t) − k(t)| ≤ error()·k(t);
+/// - on (0, δ): ∫K + dashpot = ∫k and ∫τK = ∫τk. So the derivative of a function whose rate is linear over the last
+///   δ is exact but for error(): stepping with linear rates and steps ≥ δ is the product trapezoid rule, second order
+///   in the step; for any smooth rate what the dashpot misses is O(δ^{3−α}), and the impulse of a force that starts
+///   with a jump of the rate is right at once.
 class MemoryKernel {
  public:
   double alpha() const noexcept { return alpha_; }
   double shortest() const noexcept { return shortest_; }  ///< δ [s]
   double longest() const noexcept { return longest_; }    ///< T [s]
-  double spring() const noexcept { return spring_; }      ///< [s^{-α}]
-  double dashpot() const noexcept { return dashpot_; }    ///< [s^{1−α}]
+  double spring() const noexcept { return spring_; }      ///< [s^{−α}]; 0 for α = 1
+  double dashpot() const noexcept { return dashpot_; }    ///< [s^{1−α}]; 0 for α = 0
   std::span<const Arm> arms() const noexcept { return arms_; }
-  double error() const noexcept { return error_; }  ///< a-posteriori relative error on [δ, T]
+
+  /// Largest relative error on [δ, T], measured on the finished (rounded) coefficients between the points where the
+  /// sum meets the kernel. Larger than the asked tolerance only if max_kernel_arms did not suffice.
+  double error() const noexcept { return error_; }
+
+  /// K(t), spring and arms, at t ≥ 0 [s].
+  double operator()(double t) const noexcept;
 
  private:
   friend MemoryKernel memory_kernel(double alpha, double shortest, double longest, double tolerance);
@@ -32,8 +46,20 @@ class MemoryKernel {
   std::vector<Arm> arms_;
 };
 
-/// Builds the kernel for 0 ≤ alpha ≤ 1, steps ≥ shortest [s] and contacts ≤ longest [s], to the relative error
-/// `tolerance` on [shortest, longest].
+/// Most arms that memory_kernel spends: enough for 1e-12 up to longest/shortest = 1e6.
+inline constexpr std::size_t max_kernel_arms = 64;
+
+/// Builds the kernel for 0 ≤ alpha ≤ 1, steps ≥ shortest [s] and contacts ≤ longest [s], with the fewest arms that
+/// hold the relative error `tolerance` on [shortest, longest] together with the two moments above.
+/// Domain: 0 < shortest ≤ longest ≤ 1e6·shortest, 1e-12 ≤ tolerance ≤ 0.1. Throws std::invalid_argument otherwise.
+/// α = 0 (spring 1) and α = 1 (dashpot 1) are exact and need no arm.
+///
+/// Method: t^{−α} is completely monotone, so by the theory of Chebyshev systems (Karlin & Studden 1966) exactly one
+/// positive sum of n exponentials and a constant meets it at 2n given points and shares its first moment on (0, δ): a
+/// generalised Gauss quadrature of its Laplace integral. Newton's method in the logarithms of strengths and rates
+/// finds it; n grows one by one, each solution starting the next, and the points are those of the best approximation
+/// (Braess & Hackbusch, IMA J. Numer. Anal. 25, 685 (2005)), found by exchange for small n and carried on by
+/// interpolation. docs/theory/memory_kernel.md has the derivation and the counts.
 MemoryKernel memory_kernel(double alpha, double shortest, double longest, double tolerance);
 
 }  // namespace ricochet
