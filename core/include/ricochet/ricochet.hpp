@@ -10,5 +10,7 @@
 #include <ricochet/fractional/memory_kernel.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
 #include <ricochet/motion/collision.hpp>
+#include <ricochet/motion/column.hpp>
+#include <ricochet/motion/event_driven_column.hpp>
 #include <ricochet/motion/linked_cells.hpp>
 #include <ricochet/version.hpp>

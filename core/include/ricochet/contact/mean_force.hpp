@@ -1,0 +1,61 @@
+#pragma once
+
+#include <ricochet/contact/hysteretic.hpp>
+#include <ricochet/contact/kuwabara_kono.hpp>
+#include <ricochet/contact/linear.hpp>
+#include <ricochet/contact/tsuji.hpp>
+
+namespace ricochet {
+
+// The mean [N] of a law's signed force over dt [s] while the overlap goes linearly from `overlap` to overlap + rate·dt.
+//
+// Why a mean and not a value: an integrator needs the contact's impulse. A force that starts with a jump (dashpot) or
+// like t^{1−α} (fractional) has an impulse that is smooth in the overlap although the force is not smooth in time, so
+// means keep a scheme of second order where end-point values cannot. `memory` is that at the interval's beginning.
+// Exact for the laws below; a law without an overload of its own gets the midpoint's force, of second order.
+
+template <ContactLaw Law>
+double mean_force(const Law& law, double overlap, double rate, const typename Law::Memory& memory, double dt) noexcept {
+  auto halfway = memory;
+  const Approach middle{overlap + 0.5 * rate * dt, rate};
+  law.advance(halfway, {overlap, rate}, middle, 0.5 * dt);
+  return law.force(middle, halfway);
+}
+
+inline double mean_force(const Linear& law, double overlap, double rate, const NoMemory&, double dt) noexcept {
+  return law.k() * (overlap + 0.5 * rate * dt) + law.c() * rate;
+}
+
+/// With a = ζ^{1/2} at both ends: mean of ζ^{1/2} = (2/3)(b³−a³)/(b²−a²), of ζ^{3/2} = (2/5)(b⁵−a⁵)/(b²−a²), the
+/// common factor divided out so that nothing cancels.
+inline double mean_force(const KuwabaraKono& law, double overlap, double rate, const NoMemory&, double dt) noexcept {
+  const double a2 = std::max(0.0, overlap), b2 = std::max(0.0, overlap + rate * dt);
+  const double a = std::sqrt(a2), b = std::sqrt(b2), sum = a + b;
+  if (sum == 0) return 0;
+  const double spring = 0.4 * (a2 * a2 + b2 * b2 + a * b * (a2 + b2) + a2 * b2);
+  return (law.k() * spring + law.c() * rate * (2.0 / 3.0) * (a2 + a * b + b2)) / sum;
+}
+
+/// The same with p = ζ^{1/4}: mean of ζ^{1/4} = (4/5)(q⁵−p⁵)/(q⁴−p⁴).
+inline double mean_force(const Tsuji& law, double overlap, double rate, const NoMemory&, double dt) noexcept {
+  const double a2 = std::max(0.0, overlap), b2 = std::max(0.0, overlap + rate * dt);
+  const double a = std::sqrt(a2), b = std::sqrt(b2), sum = a + b;
+  if (sum == 0) return 0;
+  const double spring = 0.4 * (a2 * a2 + b2 * b2 + a * b * (a2 + b2) + a2 * b2);
+  const double p = std::sqrt(a), q = std::sqrt(b);
+  const double dashpot = 0.8 * (a2 + b2 + p * q * (a + b) + a * b) / (p + q);
+  return (law.k() * spring + law.c() * rate * dashpot) / sum;
+}
+
+/// Piecewise linear in the overlap: the trapezoid on either side of the greatest overlap so far.
+inline double mean_force(const Hysteretic& law, double overlap, double rate, const Hysteretic::Memory& memory,
+                         double dt) noexcept {
+  const double end = overlap + rate * dt, bend = memory.max_overlap;
+  const double low = std::min(overlap, end), high = std::max(overlap, end);
+  const double at_low = law.force({low, rate}, memory), at_high = law.force({high, rate}, memory);
+  if (bend <= low || bend >= high) return 0.5 * (at_low + at_high);
+  const double below = (bend - low) / (high - low), at_bend = law.k1() * bend;
+  return 0.5 * (below * (at_low + at_bend) + (1 - below) * (at_bend + at_high));
+}
+
+}  // namespace ricochet

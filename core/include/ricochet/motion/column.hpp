@@ -1,0 +1,79 @@
+#pragma once
+
+#include <ricochet/contact/any_law.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace ricochet {
+
+/// Beads over a plate of infinite mass, on a vertical line. Bead i lies on bead i−1, bead 0 on the plate.
+struct Column {
+  std::vector<double> mass;      ///< [kg] > 0
+  std::vector<double> gap;       ///< free distance under each bead at the start [m] ≥ 0
+  std::vector<double> velocity;  ///< at the start [m/s], positive away from the plate
+  double gravity = 0;            ///< towards the plate [m/s²] ≥ 0
+};
+
+/// `beads` equal beads with equal gaps and velocities.
+Column equal_column(std::size_t beads, double mass, double gap, double velocity);
+
+/// Kinetic energy with these velocities [m/s] over that at the start, Σ m v²/Σ m v₀² of (62); 0 for a start at rest.
+double kinetic_energy_ratio(const Column& column, const std::vector<double>& velocity);
+
+namespace detail {
+void check(const Column& column);  ///< throws std::invalid_argument for what the members' comments exclude
+}
+
+/// What happens after the force of a contact has fallen to zero while the bodies still overlap (25); only where the
+/// contact ends by force.
+enum class Recontact {
+  keeps_memory,  ///< the force stays max(0, ·) of (30): pressed together again, the pair repels again
+  waits          ///< the literal reading: no force until the pair has separated (grains can pass through each other)
+};
+
+struct ColumnOptions {
+  double step = 0;      ///< [s] > 0; second order: t_col/200 gives E/E0 to about 1e-5 in the cases of the paper
+  double duration = 0;  ///< stops then at the latest [s] > 0
+  ContactEnd end = ContactEnd::force;
+  Recontact recontact = Recontact::keeps_memory;
+  bool energy = false;  ///< keeps the energy balance (slower)
+  double shortest_memory = 0;    ///< fractional law: δ of its MemoryKernel [s]; 0: step/16
+  double longest_memory = 0;     ///< its T [s]; 0: duration
+  double memory_tolerance = 1e-8;  ///< relative error of its kernel on [δ, T]
+};
+
+/// How a run ended. "Approach" means by more than 1e-9 of the greatest initial speed.
+enum class ColumnEnd {
+  separated,   ///< no force acts, no neighbours approach: every contact is over
+  resting,     ///< the same, but some bodies that still overlap do not move apart (static contact)
+  out_of_time  ///< `duration` was reached before either; always so under gravity
+};
+
+/// Kinetic + stored + dissipated + potential [J] is constant up to the scheme's order. What a contact still stores
+/// when it opens, or while its force is held at zero, counts as dissipated.
+struct ColumnEnergy {
+  double kinetic = 0, stored = 0, dissipated = 0, potential = 0;
+  double total() const noexcept { return kinetic + stored + dissipated + potential; }
+};
+
+struct ColumnResult {
+  ColumnEnd end = ColumnEnd::out_of_time;
+  double time = 0;               ///< [s]
+  double energy_ratio = 0;       ///< kinetic energy at the end over that at the start; 1 − it is the share (62)
+  std::vector<double> velocity;  ///< at the end [m/s]
+  std::size_t steps = 0;         ///< taken (free flight is jumped over)
+  std::size_t contacts = 0;      ///< that began
+  double last_contact_time = 0;  ///< t_end − t_begin of the contact that stopped pressing last [s]
+  ColumnEnergy energy;           ///< stored and dissipated only with `ColumnOptions::energy`
+};
+
+/// Runs a column until all contacts are over, every pair with the law `pair` and the plate's contact with `plate`; both
+/// must be of the same kind. The fractional law runs on Maxwell arms prepared by `memory_kernel`. The scheme
+/// (ColumnEngine, docs/theory/column.md) is of second order in the step through every start and end of contact; a step
+/// costs time linear in the number of beads.
+/// Throws std::invalid_argument for vectors of different or no length, a value outside its range, or laws of different
+/// kinds.
+ColumnResult run_column(const Column& column, const AnyLaw& plate, const AnyLaw& pair, const ColumnOptions& options);
+
+}  // namespace ricochet

@@ -1,0 +1,84 @@
+#include <ricochet/motion/column.hpp>
+
+#include <ricochet/motion/column_engine.hpp>
+
+#include <stdexcept>
+#include <string>
+
+namespace ricochet {
+
+namespace {
+
+template <ContactLaw Law>
+ColumnResult run(const Column& column, const Law& plate, const Law& pair, const ColumnOptions& options) {
+  ColumnEngine<Law> engine(column, plate, pair, options);
+  ColumnResult result;
+  // Looking for the end costs as much as half a step, so it is done now and then, and always while nothing touches.
+  constexpr std::size_t patience = 32;
+  bool over = engine.finished();
+  while (!over && engine.time() < options.duration) {
+    if (!engine.any_contact()) engine.skip_free_flight();
+    engine.step();
+    ++result.steps;
+    if (!engine.any_contact() || result.steps % patience == 0) over = engine.finished();
+  }
+  if (over) result.end = engine.resting() ? ColumnEnd::resting : ColumnEnd::separated;
+  result.time = engine.time();
+  for (std::size_t i = 0; i < engine.beads(); ++i) result.velocity.push_back(engine.velocity(i));
+  result.energy_ratio = kinetic_energy_ratio(column, result.velocity);
+  result.contacts = engine.contacts();
+  result.last_contact_time = engine.last_contact_time();
+  result.energy = engine.energy();
+  return result;
+}
+
+}  // namespace
+
+Column equal_column(std::size_t beads, double mass, double gap, double velocity) {
+  return {std::vector<double>(beads, mass), std::vector<double>(beads, gap), std::vector<double>(beads, velocity)};
+}
+
+double kinetic_energy_ratio(const Column& column, const std::vector<double>& velocity) {
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < column.mass.size(); ++i) {
+    before += column.mass[i] * column.velocity[i] * column.velocity[i];
+    after += column.mass[i] * velocity[i] * velocity[i];
+  }
+  return before > 0 ? after / before : 0.0;
+}
+
+namespace detail {
+
+void check(const Column& column) {
+  const std::size_t beads = column.mass.size();
+  require_positive("beads", static_cast<double>(beads));
+  require(column.gap.size() == beads, "number of gaps", static_cast<double>(column.gap.size()), "that of the masses");
+  require(column.velocity.size() == beads, "number of velocities", static_cast<double>(column.velocity.size()),
+          "that of the masses");
+  require_not_negative("gravity", column.gravity);
+  for (const double mass : column.mass) require_positive("mass", mass);
+  for (const double gap : column.gap) require_not_negative("gap", gap);
+  for (const double velocity : column.velocity) require(std::isfinite(velocity), "velocity", velocity, "finite");
+}
+
+}  // namespace detail
+
+ColumnResult run_column(const Column& column, const AnyLaw& plate, const AnyLaw& pair, const ColumnOptions& options) {
+  detail::require_positive("duration", options.duration);
+  return std::visit(
+      [&]<class Law>(const Law& plate_law) -> ColumnResult {
+        const Law* pair_law = std::get_if<Law>(&pair);
+        if (!pair_law)
+          throw std::invalid_argument("pair = " + std::string(name(pair)) + ": must be of the plate's kind, " +
+                                      std::string(name(plate)));
+        if constexpr (std::same_as<Law, Fractional>) {
+          static_assert(!ContactLaw<Fractional>);
+          throw std::invalid_argument("law = fractional: must be given as FractionalArms to ColumnEngine");
+        } else {
+          return run(column, plate_law, *pair_law, options);
+        }
+      },
+      plate);
+}
+
+}  // namespace ricochet
