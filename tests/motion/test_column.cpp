@@ -188,6 +188,35 @@ TEST_CASE("A column is of second order through every start and end of contact", 
   check(5, 1e-6, tsuji, ContactEnd::force);
 }
 
+TEST_CASE("A column of fractional contacts is of second order at any conversion degree", "[column]") {
+  // Ratio of successive differences: no reference needed. The kernel's 1e-9 is far below the finest difference.
+  for (const double alpha : {0.0293504, 0.3196786, 0.6})
+    for (const int beads : {1, 3}) {
+      std::vector<double> ratio;
+      for (const int steps : {100, 200, 400, 800}) {
+        ColumnOptions o = options(steps, ContactEnd::force);
+        o.longest_memory = 1e-3;
+        o.memory_tolerance = 1e-9;
+        ratio.push_back(energy_ratio(beads, 1e-6, [&](double m) { return fractional(m, alpha); }, o));
+      }
+      CAPTURE(alpha, beads, ratio);
+      CHECK(std::log2((ratio[1] - ratio[0]) / (ratio[2] - ratio[1])) == Approx(2).margin(0.25));
+      CHECK(std::log2((ratio[2] - ratio[1]) / (ratio[3] - ratio[2])) == Approx(2).margin(0.25));
+    }
+}
+
+TEST_CASE("One bead rebounds with the restitution of its conversion degree", "[column]") {
+  // e_n(α) of the closed form (47)-(57): 0.945 and 0.5 to 7 digits of α.
+  const auto rebound = [](double alpha) {
+    ColumnOptions o = options(3200, ContactEnd::force);
+    o.longest_memory = 2e-4;
+    return run_column(equal_column(1, mass, 1e-6, velocity), fractional(mass, alpha), fractional(mass, alpha), o)
+               .velocity[0] / -velocity;
+  };
+  CHECK(rebound(0.0293504) == Approx(0.945).margin(1e-6));
+  CHECK(rebound(0.3196786) == Approx(0.5).margin(1e-6));
+}
+
 TEST_CASE("Energy closes to the scheme's order and never grows", "[column]") {
   // In units of E0: the balance closes within 3 (h/t_col)², the mechanical part grows by at most the cube's order.
   const auto check = [](auto law, ContactEnd end) {
@@ -217,6 +246,8 @@ TEST_CASE("Energy closes to the scheme's order and never grows", "[column]") {
   check([](double m) { return hysteretic(m, 0.9); }, ContactEnd::force);
   check(kuwabara_kono, ContactEnd::force);
   check(tsuji, ContactEnd::force);
+  const MemoryKernel kernel = memory_kernel(0.0293504, tcol / 400, 2e-3, 1e-7);
+  check([&](double m) { return FractionalArms(fractional(m, 0.0293504), kernel, tcol / 400); }, ContactEnd::force);
 }
 
 TEST_CASE("An elastic column keeps its energy", "[column]") {

@@ -32,6 +32,15 @@ ColumnResult run(const Column& column, const Law& plate, const Law& pair, const 
   return result;
 }
 
+FractionalArms with_arms(const Fractional& law, const ColumnOptions& options) {
+  const double shortest = options.shortest_memory > 0 ? options.shortest_memory : options.step;
+  const double longest =
+      options.longest_memory > 0 ? options.longest_memory : std::min(options.duration, 1e5 * shortest);
+  const MemoryKernel kernel =
+      memory_kernel(law.alpha(), shortest, std::max(longest, shortest), options.memory_tolerance);
+  return FractionalArms(law, kernel, options.step);
+}
+
 }  // namespace
 
 Column equal_column(std::size_t beads, double mass, double gap, double velocity) {
@@ -72,8 +81,7 @@ ColumnResult run_column(const Column& column, const AnyLaw& plate, const AnyLaw&
           throw std::invalid_argument("pair = " + std::string(name(pair)) + ": must be of the plate's kind, " +
                                       std::string(name(plate)));
         if constexpr (std::same_as<Law, Fractional>) {
-          static_assert(!ContactLaw<Fractional>);
-          throw std::invalid_argument("law = fractional: must be given as FractionalArms to ColumnEngine");
+          return run(column, with_arms(plate_law, options), with_arms(*pair_law, options), options);
         } else {
           return run(column, plate_law, *pair_law, options);
         }

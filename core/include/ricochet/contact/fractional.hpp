@@ -50,6 +50,10 @@ class FractionalArms {
   const Fractional& law() const noexcept { return law_; }
   double step() const noexcept { return step_; }  ///< [s]
   std::size_t arms() const noexcept { return arms_; }
+  double spring() const noexcept { return spring_; }                                ///< [N/m]
+  double dashpot() const noexcept { return dashpot_; }                              ///< [N s/m]
+  double stiffness(std::size_t arm) const noexcept { return stiffness_[arm]; }      ///< [N/m]
+  double relaxation_rate(std::size_t arm) const noexcept { return rate_[arm]; }     ///< [1/s]
 
   double force(Approach a, const Memory& m) const noexcept;
   void advance(Memory& m, Approach before, Approach after, double dt) const noexcept;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ricochet/contact/fractional.hpp>
 #include <ricochet/contact/hysteretic.hpp>
 #include <ricochet/contact/kuwabara_kono.hpp>
 #include <ricochet/contact/linear.hpp>
@@ -57,5 +58,16 @@ inline double mean_force(const Hysteretic& law, double overlap, double rate, con
   const double below = (bend - low) / (high - low), at_bend = law.k1() * bend;
   return 0.5 * (below * (at_low + at_bend) + (1 - below) * (at_bend + at_high));
 }
+
+/// How a Maxwell arm q' = ζ' − s q goes through dt at a constant ζ', with x = s dt:
+///   q(dt) = decay·q(0) + gain·ζ',   mean of q = mean_before·q(0) + mean_gain·ζ',
+/// decay = e^{−x}, mean_before = φ₁ = (1 − e^{−x})/x, gain = dt φ₁, mean_gain = dt φ₂ = dt (1 − φ₁)/x; to rounding.
+struct SteadyArm {
+  double decay, gain, mean_before, mean_gain;
+};
+SteadyArm steady_arm(double relaxation_rate, double dt) noexcept;
+
+double mean_force(const FractionalArms& law, double overlap, double rate, const FractionalArms::Memory& memory,
+                  double dt) noexcept;
 
 }  // namespace ricochet

@@ -38,9 +38,9 @@ struct ColumnOptions {
   ContactEnd end = ContactEnd::force;
   Recontact recontact = Recontact::keeps_memory;
   bool energy = false;  ///< keeps the energy balance (slower)
-  double shortest_memory = 0;    ///< fractional law: δ of its MemoryKernel [s]; 0: step/16
-  double longest_memory = 0;     ///< its T [s]; 0: duration
-  double memory_tolerance = 1e-8;  ///< relative error of its kernel on [δ, T]
+  double shortest_memory = 0;    ///< fractional law: δ of its MemoryKernel [s]; 0: step
+  double longest_memory = 0;     ///< its T [s]; 0: duration, but at most 1e5 δ
+  double memory_tolerance = 1e-6;  ///< relative error of its kernel on [δ, T]
 };
 
 /// How a run ended. "Approach" means by more than 1e-9 of the greatest initial speed.

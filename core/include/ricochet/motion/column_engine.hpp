@@ -2,6 +2,7 @@
 
 #include <ricochet/detail/require.hpp>
 #include <ricochet/motion/column.hpp>
+#include <ricochet/motion/column_arms.hpp>
 #include <ricochet/motion/column_memory.hpp>
 
 #include <array>
@@ -364,7 +365,9 @@ bool ColumnEngine<Law>::resting() const noexcept {
 template <ContactLaw Law>
 double ColumnEngine<Law>::stored(std::size_t j) const noexcept {
   if (state_[j] != touching) return 0;
-  return memory_.law(j).stored_energy({overlap_[j], rate(j)}, memory_.memory(j));
+  const double held = memory_.law(j).stored_energy({overlap_[j], rate(j)}, memory_.memory(j));
+  // Bodies that part under a force held at zero would stretch the springs of a memory without doing work on them.
+  return pressing_[j] || !repulsive_ ? held : std::min(held, stored_[j]);
 }
 
 /// What each contact burns in this step: one that acts all through it burns its power (midpoint); one that starts, ends
