@@ -16,8 +16,6 @@
 #include <system_error>
 #include <vector>
 
-extern char** environ;
-
 namespace ricochet::console {
 
 namespace {
@@ -46,7 +44,7 @@ class MemoryFile {
   std::string content() const {
     ::lseek(file_, 0, SEEK_SET);
     std::string all;
-    std::array<char, 65536> chunk;
+    std::array<char, 65536> chunk{};
     for (ssize_t n = 0; (n = ::read(file_, chunk.data(), chunk.size())) > 0;)
       all.append(chunk.data(), static_cast<std::size_t>(n));
     return all;

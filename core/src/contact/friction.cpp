@@ -35,7 +35,7 @@ constexpr double far = 1e12;
 // above zero: then (X/α, Y/β) lies inside the limit curve and the contact sticks. The root is unique as (F, 𝒯) is the
 // gradient of a convex function.
 std::optional<Speeds> resisted(Speeds start, double alpha, double beta) noexcept {
-  const auto [X, Y] = start;
+  const double X = start.x, Y = start.y;
   if (X * beta + 1.5 * Y * alpha <= alpha * beta) return std::nullopt;  // the chord under the limit curve
   if (Y * far <= X) return X > alpha ? std::optional(Speeds{X - alpha, Y / (1 + beta / (4 * (X - alpha)))}) : std::nullopt;
   if (X * far <= Y) {
