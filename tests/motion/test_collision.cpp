@@ -78,3 +78,33 @@ TEST_CASE("hysteretic: an overlap that swings about a positive rest never ends b
     CHECK(collide(Hysteretic(1000, 2500), table_two, {ContactEnd::overlap, method}).status ==
           CollisionStatus::no_separation);
 }
+
+TEST_CASE("fractional: Mittag-Leffler closed form and collocation agree, at both ends") {
+  for (const double alpha : {0.0, 1e-6, 0.02, 0.2, 0.32, 0.4, 0.6, 0.9, 0.97}) {
+    CAPTURE(alpha);
+    const Fractional law(5000, 0.1, alpha);
+    check_paths_agree(law, ContactEnd::force);
+    if (alpha < 0.4) check_paths_agree(law, ContactEnd::overlap);
+  }
+}
+
+TEST_CASE("fractional: what never separates is a status on both paths") {
+  for (const auto method : {CollideMethod::closed_form, CollideMethod::numerical}) {
+    for (const double alpha : {1.0, 1.5})
+      CHECK(collide(Fractional(5000, 0.1, alpha), table_two, {ContactEnd::force, method}).status ==
+            CollisionStatus::no_separation);
+    CHECK(collide(Fractional(5000, 0.1, 0.401), table_two, {ContactEnd::overlap, method}).status ==
+          CollisionStatus::no_separation);
+  }
+}
+
+TEST_CASE("fractional: below alpha = 0 the collision gains speed") {
+  CHECK(collide(Fractional(5000, 0.1, -0.1), table_two).en > 1);
+  CHECK_THROWS_WITH(collide(Fractional(5000, 0.1, -0.1), table_two, {ContactEnd::force, CollideMethod::closed_form}),
+                    "alpha = -0.1: must be >= 0 for the closed form");
+}
+
+TEST_CASE("any law collides as the law it holds") {
+  const AnyLaw any = Tsuji(1e6, 10);
+  CHECK(collide(any, table_two).tcol == collide(Tsuji(1e6, 10), table_two).tcol);
+}

@@ -7,6 +7,7 @@ namespace ricochet::motion {
 /// Every duty of `collide` but the choice of the method.
 Collision closed_form(const Linear& law, const Impact& impact, ContactEnd end);
 Collision closed_form(const Hysteretic& law, const Impact& impact, ContactEnd end);
+Collision closed_form(const Fractional& law, const Impact& impact, ContactEnd end);
 
 /// `unit` [s] is the time the scaled collision was counted in: turns it into SI units.
 inline Collision in_units(Collision scaled, const Impact& impact, double unit) {

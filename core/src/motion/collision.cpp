@@ -57,4 +57,18 @@ Collision collide(const Hysteretic& law, const Impact& impact, const CollideOpti
   return integrate(law, impact, options);
 }
 
+Collision collide(const Fractional& law, const Impact& impact, const CollideOptions& options) {
+  require_impact(impact);
+  const bool gains = law.alpha() < 0;
+  if (options.method == CollideMethod::closed_form)
+    detail::require(!gains, "alpha", law.alpha(), ">= 0 for the closed form");
+  if (options.method == CollideMethod::numerical || gains)
+    return motion::follow_fractional(law, impact, options.end);
+  return motion::closed_form(law, impact, options.end);
+}
+
+Collision collide(const AnyLaw& law, const Impact& impact, const CollideOptions& options) {
+  return std::visit([&](const auto& l) { return collide(l, impact, options); }, law);
+}
+
 }  // namespace ricochet

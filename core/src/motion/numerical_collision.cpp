@@ -14,14 +14,13 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-// Local error a step, in the units of the impact. A collision takes some tens of steps, so the end is good to about
-// 1e-14, which leaves 1e-11 relative down to e_n ≈ 0.005.
-constexpr double absolute_tolerance = 1e-16;
-constexpr double relative_tolerance = 3e-15;
+// Local error a step, relative to the component and to its change over the step: the change keeps the scale where the
+// velocity passes through zero, and nothing absolute spoils the small velocities of a strongly damped rebound. A collision
+// takes some tens of steps.
+constexpr double tolerance = 3e-15;
 constexpr double first_step = 0.05;
-constexpr double first_step_least = 1e-12;
-/// Slower than this and still overlapping, under an attractive force: the bodies creep and never part.
-constexpr double creeping = 1e-9;
+/// Slower than this and still overlapping, under an attractive force: the bodies creep and count as never parting.
+constexpr double creeping = 1e-13;
 
 /// One-step integration whose steps can be redone at any shorter length: events are located to the method's own order.
 template <class System>
@@ -31,7 +30,7 @@ class Steps {
 
   Steps(const System& system, const State& start, std::size_t budget)
       : system_(system), before_(start), after_(start), budget_(budget),
-        length_(std::max(first_step_least, first_step / (1 + scale(system, start)))) {}
+        length_(first_step / (1 + first_deceleration(system, start))) {}
 
   /// One accepted step; false when the budget is spent.
   bool advance() {
@@ -40,7 +39,7 @@ class Steps {
       evaluations_ += stages;
       State error;
       stepper_.do_step(std::cref(system_), before_, 0.0, after_, length_, error);
-      const double excess = relative_to_tolerance(error, after_);
+      const double excess = relative_to_tolerance(error, before_, after_);
       taken_ = length_;
       length_ *= std::clamp(0.9 * std::pow(excess, -1.0 / 8), 0.2, 4.0);
       if (excess <= 1) return true;
@@ -81,17 +80,18 @@ class Steps {
   static constexpr std::size_t stages = 13;
   using Stepper = odeint::runge_kutta_fehlberg78<State>;
 
-  static double scale(const System& system, const State& s) {
+  static double first_deceleration(const System& system, const State& s) {
     State rate;
     system(s, rate, 0.0);
     return std::abs(rate[1]);
   }
 
-  /// The largest component of the error estimate; NaN and infinity count as large.
-  static double relative_to_tolerance(const State& error, const State& state) {
+  /// The largest component of the error estimate, in tolerances; NaN and infinity count as large.
+  static double relative_to_tolerance(const State& error, const State& before, const State& after) {
     double largest = 1e-10;
-    for (std::size_t i = 0; i < state.size(); ++i) {
-      const double share = std::abs(error[i]) / (absolute_tolerance + relative_tolerance * std::abs(state[i]));
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      const double scale = std::abs(after[i]) + std::abs(after[i] - before[i]);
+      const double share = error[i] == 0 ? 0 : std::abs(error[i]) / (tolerance * scale);
       if (!(share <= largest)) largest = std::isfinite(share) ? share : 1e30;
     }
     return largest;

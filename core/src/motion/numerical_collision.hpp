@@ -17,4 +17,7 @@ extern template Collision follow(const TsujiMotion&, const CollideOptions&);
 /// The hysteretic law itself, k₁ = 1 and k₂ = `stiffening`, its memory advanced at the turning point. Scaled result.
 Collision follow_hysteretic(double stiffening, const CollideOptions& options);
 
+/// The fractional law by collocation of its Volterra equation, without the Mittag-Leffler function. In SI units.
+Collision follow_fractional(const Fractional& law, const Impact& impact, ContactEnd end);
+
 }  // namespace ricochet::motion

@@ -15,7 +15,7 @@ struct Impact {
 
 enum class CollideMethod {
   automatic,    ///< the closed form where there is one, else numerical
-  closed_form,  ///< throws for the laws that have none (Kuwabara-Kono, Tsuji)
+  closed_form,  ///< throws where there is none (Kuwabara-Kono, Tsuji, fractional with α < 0)
   numerical     ///< integrates the law's own equation of motion; knows no closed form
 };
 
@@ -33,7 +33,7 @@ enum class CollisionStatus {
 };
 
 /// What a collision did. Times count from the first touch t_b. After no_separation and budget_spent tcol, en and
-/// overlap_end are 0; the extremes are those met while the motion was followed.
+/// overlap_end are 0; the extremes are those met while the motion was followed (for the fractional law, none: 0).
 struct Collision {
   CollisionStatus status = CollisionStatus::no_separation;
   double tcol = 0;              ///< t_e − t_b [s]
@@ -54,18 +54,22 @@ struct Collision {
 ///
 /// Closed forms. Linear, with D = c/(2√(mk)) = cos ψ (cosh ψ when overdamped) and time in √(m/k): the force vanishes at
 /// 2ψ/sin ψ with e_n = exp(−2ψ cot ψ), the overlap at π/sin ψ with e_n = exp(−π cot ψ), and only for D < 1; both keep
-/// full accuracy across D = 1. Hysteretic: two quarters of a sine.
+/// full accuracy across D = 1. Hysteretic: two quarters of a sine. Fractional: Eqs. (47)–(56) for 0 ≤ α
+/// (contact/fractional_contact.hpp); −1 ≤ α < 0, which gains energy, is left to the numerical path.
 ///
 /// Numerical path. Time is replaced by the variable in which the damped power laws are polynomial (see
 /// core/src/motion/damped_power.hpp), so the start and the end, where ζ^{1/2} and ζ^{1/4} are not smooth, cost no order;
-/// Runge-Kutta-Fehlberg 7(8) with error control, every event located by redoing the step it lies in. An overlap end with
-/// e_n < 1e-9 counts as no_separation there.
+/// Runge-Kutta-Fehlberg 7(8) with error control, every event located by redoing the step it lies in. The fractional law
+/// is solved by collocation instead (contact/fractional_collocation.hpp; evaluations counts its nodes). An overlap end with
+/// e_n < 1e-12 may count as no_separation there.
 ///
-/// Relative error of tcol and en: below 1e-11 for e_n ≥ 0.005 (numerical), 1e-13 (closed, linear and hysteretic).
+/// Relative error of tcol and en: below 1e-11.
 /// Throws std::invalid_argument for velocity or mass_eff not finite and > 0, and for closed_form without one.
 Collision collide(const Linear& law, const Impact& impact, const CollideOptions& options = {});
 Collision collide(const KuwabaraKono& law, const Impact& impact, const CollideOptions& options = {});
 Collision collide(const Tsuji& law, const Impact& impact, const CollideOptions& options = {});
 Collision collide(const Hysteretic& law, const Impact& impact, const CollideOptions& options = {});
+Collision collide(const Fractional& law, const Impact& impact, const CollideOptions& options = {});
+Collision collide(const AnyLaw& law, const Impact& impact, const CollideOptions& options = {});
 
 }  // namespace ricochet

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <ricochet/contact/any_law.hpp>
+#include <ricochet/motion/collision.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace ricochet::calibration {
+
+enum class LawName { linear, kuwabara_kono, tsuji, hysteretic, fractional };
+
+/// "linear", "kuwabara-kono", …: as the laws call themselves.
+std::string_view text(LawName law) noexcept;
+/// "overlap" or "force".
+std::string_view text(ContactEnd end) noexcept;
+
+/// The ends that a law is calibrated for: both for linear, tsuji and fractional, else by force alone.
+bool offers(LawName law, ContactEnd end) noexcept;
+
+/// What the collision shall do.
+struct Target {
+  double tcol;    ///< [s], > 0
+  double en;      ///< in (0, 1]
+  Impact impact;  ///< the velocity and effective mass it shall do it at
+};
+
+struct Request {
+  LawName law;
+  ContactEnd end;
+  Target target;
+  std::optional<double> stiffness = {};  ///< fractional: the k to hold [kg/s²]; default: linear's, ended by force
+};
+
+enum class Method { nlopt, direct };
+std::string_view text(Method method) noexcept;
+
+struct Settings {
+  Method method = Method::nlopt;
+  std::string algorithm = "LN_BOBYQA";  ///< one of `algorithms()`
+  double tolerance = 1e-10;             ///< relative, in tcol and en; in [1e-11, 0.1]
+};
+
+/// NLopt's local algorithms that reach the tolerance on every law from the blind start. The others do not: L-BFGS, VAR2 and
+/// truncated Newton stop at residuals near 1e-8, MMA, CCSAQ and COBYLA need thousands of collisions at e_n = 0.01, and
+/// NEWUOA refuses one unknown.
+const std::vector<std::string>& algorithms();
+
+/// One parameter of a law under its published name, in SI units.
+struct Parameter {
+  std::string name;
+  double value;
+  std::string unit;
+};
+
+/// The parameters of a law in their usual order: k, c for linear, kuwabara-kono and tsuji; k1, k2; k, c, alpha.
+std::vector<Parameter> parameters(const AnyLaw& law);
+
+/// What (tcol, en) determine: the parameters themselves, but alpha and c^alpha k^(1-alpha) for the fractional law.
+std::vector<Parameter> identifiable(const AnyLaw& law);
+
+struct Calibration {
+  AnyLaw law;
+  ContactEnd end;
+  Collision achieved;                  ///< of `law`, by the numerical path
+  double tcol_residual, en_residual;   ///< (achieved − target)/target
+  std::optional<double> tcol_estimate; ///< fractional, ended by force: Eq. (57) [s]
+  Method method;
+  std::string algorithm;               ///< NLopt's, or "bracketed root" or "closed form" of the direct reduction
+  std::size_t evaluations;             ///< collisions that `method` tried
+  Method cross_method;                 ///< the other one
+  double cross_difference;             ///< greatest relative difference of an identifiable parameter between the two
+};
+
+/// A target outside what the law can do.
+struct Infeasible {
+  LawName law;
+  ContactEnd end;
+  std::string reason;
+  /// The quantity that is out of range ("en", "stiffness") and the range computed for it; empty: this end is not offered.
+  std::string quantity;
+  double lowest = 0, highest = 0;
+};
+
+using Outcome = std::variant<Calibration, Infeasible>;
+
+/// A search that missed its tolerance.
+class NotConverged : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Finds the law whose collision takes target.tcol and keeps target.en of the velocity.
+///
+/// Both methods work in the units of the target (m, tcol, v₀), where every law has one dimensionless group that sets e_n
+/// and one scale that sets t_col. `direct` solves for the group by a closed form or a bracketed root and reads the
+/// scale off one collision. `nlopt` minimises ln²(t/t_col) + ln²(ln e/ln e_n) over the logarithms of the parameters,
+/// starting from parameters that are 1 in those units. The chosen one is answered, the other cross-checks it, and the
+/// answer is run through the numerical collision.
+///
+/// Throws std::invalid_argument for a target, stiffness, algorithm or tolerance outside its domain and for an end that
+/// the law does not offer; NotConverged when the residual exceeds the tolerance.
+Outcome calibrate(const Request& request, const Settings& settings = {});
+
+}  // namespace ricochet::calibration

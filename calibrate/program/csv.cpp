@@ -1,0 +1,63 @@
+#include "report.hpp"
+
+#include <algorithm>
+
+namespace ricochet::calibration {
+namespace {
+
+using console::Cell;
+using console::Column;
+
+/// Every parameter of every law under its own name and unit, so that a column never mixes units.
+const std::vector<Column>& parameter_columns() {
+  static const std::vector<Column> columns = [] {
+    std::vector<Column> all;
+    for (const AnyLaw& law : {AnyLaw(Linear(1, 1)), AnyLaw(KuwabaraKono(1, 1)), AnyLaw(Tsuji(1, 1)),
+                              AnyLaw(Hysteretic(1, 1)), AnyLaw(Fractional(1, 1, 0))})
+      for (const auto& p : parameters(law)) {
+        const auto same = [&](const Column& c) { return c.name == p.name && c.unit == p.unit; };
+        if (std::none_of(all.begin(), all.end(), same)) all.push_back({p.name, p.unit});
+      }
+    return all;
+  }();
+  return columns;
+}
+
+Cell parameter_cell(const AnyLaw& law, const Column& column) {
+  for (const auto& p : parameters(law))
+    if (p.name == column.name && p.unit == column.unit) return p.value;
+  return console::blank();
+}
+
+std::vector<Cell> row_of(const Calibration& r) {
+  std::vector<Cell> row{std::string(name(r.law)), std::string(text(r.end)), std::string("calibrated")};
+  for (const auto& column : parameter_columns()) row.push_back(parameter_cell(r.law, column));
+  row.insert(row.end(), {r.achieved.tcol, r.achieved.en, r.tcol_residual, r.en_residual, r.achieved.max_overlap,
+                         r.achieved.max_force, r.achieved.overlap_end,
+                         r.tcol_estimate ? Cell(*r.tcol_estimate) : console::blank(),
+                         static_cast<std::int64_t>(r.evaluations), std::string(text(r.method)), r.algorithm,
+                         r.cross_difference});
+  return row;
+}
+
+}  // namespace
+
+console::Table csv_of(const Report& report) {
+  std::vector<Column> columns{{"law"}, {"end"}, {"status"}};
+  columns.insert(columns.end(), parameter_columns().begin(), parameter_columns().end());
+  columns.insert(columns.end(), {{"tcol", "s"}, {"en"}, {"tcol_residual"}, {"en_residual"}, {"max_overlap", "m"},
+                                 {"max_force", "N"}, {"overlap_end", "m"}, {"tcol_estimate", "s"}, {"evaluations"},
+                                 {"method"}, {"algorithm"}, {"cross_check_difference"}});
+  console::Table table(columns);
+  for (const auto& result : report.results) table.row(row_of(result));
+  for (const auto& missed : report.infeasible) {
+    std::vector<Cell> row(columns.size(), console::blank());
+    row[0] = std::string(text(missed.law));
+    row[1] = std::string(text(missed.end));
+    row[2] = "infeasible: " + explained(missed, report.job.target);
+    table.row(row);
+  }
+  return table;
+}
+
+}  // namespace ricochet::calibration

@@ -1,0 +1,121 @@
+#include "job.hpp"
+
+#include <console/exit.hpp>
+#include <console/number.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace ricochet::calibration {
+namespace {
+
+using console::BadInput;
+using console::shortest;
+
+constexpr double default_velocity = 0.5;
+constexpr double default_mass_eff = 7.06858e-6;
+constexpr std::array all_laws{LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic,
+                              LawName::fractional};
+
+double positive(const char* flag, double value) {
+  if (!(value > 0)) throw BadInput(flag, shortest(value), "> 0");
+  return value;
+}
+
+/// The positive value of an option that must have been given.
+double needed(const char* flag, const std::optional<double>& value, const char* what) {
+  if (!value) throw BadInput(std::string(flag) + ": missing: must be " + what);
+  return positive(flag, *value);
+}
+
+void refuse_with(const char* flag, const std::optional<double>& value, bool given, const char* companion) {
+  if (value && given) throw BadInput(flag, shortest(*value), std::string("left out with ") + companion);
+}
+
+double sphere_mass(double radius, double density) {
+  return 4 * std::numbers::pi / 3 * radius * radius * radius * density;
+}
+
+bool speaks_of_spheres(const Options& o) {
+  return o.radius || o.density || o.radius2 || o.density2 || o.wall;
+}
+
+/// m₁m₂/(m₁+m₂), or the sphere's mass against a wall.
+double mass_of_spheres(const Options& o, Job& job) {
+  const double radius = needed("--radius", o.radius, "given with --density [m], > 0");
+  const double density = needed("--density", o.density, "given with --radius [kg/m^3], > 0");
+  const double mass = sphere_mass(radius, density);
+  job.radius = radius;
+  if (o.wall) {
+    refuse_with("--radius2", o.radius2, true, "--wall");
+    refuse_with("--density2", o.density2, true, "--wall");
+    return mass;
+  }
+  if (!o.radius2 && !o.density2) job.assumptions.push_back("two equal spheres (--radius2, --density2, --wall)");
+  const double radius2 = positive("--radius2", o.radius2.value_or(radius));
+  const double other = sphere_mass(radius2, positive("--density2", o.density2.value_or(density)));
+  job.radius = std::min(radius, radius2);
+  return mass / (1 + mass / other);
+}
+
+double mass_eff(const Options& o, Job& job) {
+  if (o.mass_eff) {
+    positive("--mass-eff", *o.mass_eff);
+    if (speaks_of_spheres(o))
+      throw BadInput("--mass-eff", shortest(*o.mass_eff), "left out with --radius, --density or --wall");
+    return *o.mass_eff;
+  }
+  if (speaks_of_spheres(o)) return mass_of_spheres(o, job);
+  job.assumptions.push_back("effective mass " + shortest(default_mass_eff) +
+                            " kg, two spheres of radius 1.5 mm and 1000 kg/m^3 (--mass-eff)");
+  return default_mass_eff;
+}
+
+Target target_of(const Options& o, Job& job) {
+  const double tcol = needed("--tcol", o.tcol, "a collision time [s], > 0");
+  if (!o.en) throw BadInput("--en: missing: must be a restitution in (0, 1]");
+  if (!(*o.en > 0 && *o.en <= 1)) throw BadInput("--en", shortest(*o.en), "in (0, 1]");
+  if (!o.velocity) job.assumptions.push_back("impact velocity " + shortest(default_velocity) + " m/s (--velocity)");
+  const double velocity = positive("--velocity", o.velocity.value_or(default_velocity));
+  return {tcol, *o.en, {velocity, mass_eff(o, job)}};
+}
+
+std::vector<LawName> laws_of(const Options& o) {
+  if (o.law == "all") return {all_laws.begin(), all_laws.end()};
+  return {*std::find_if(all_laws.begin(), all_laws.end(), [&](LawName law) { return text(law) == o.law; })};
+}
+
+/// The asked ends that `law` offers.
+std::vector<ContactEnd> ends_of(const Options& o, LawName law) {
+  const bool both = o.end == "both" || (o.end.empty() && law == LawName::linear);
+  std::vector<ContactEnd> ends;
+  for (const auto end : {ContactEnd::overlap, ContactEnd::force}) {
+    const bool asked = both || (o.end.empty() ? end == ContactEnd::force : text(end) == o.end);
+    if (asked && offers(law, end)) ends.push_back(end);
+  }
+  return ends;
+}
+
+}  // namespace
+
+Job job_of(const Options& o) {
+  Job job;
+  job.target = target_of(o, job);
+  if (o.stiffness) positive("--stiffness", *o.stiffness);
+  if (o.stiffness && o.law != "all" && o.law != "fractional")
+    throw BadInput("--stiffness", shortest(*o.stiffness), "left out with --law " + o.law + "; only fractional holds a k");
+  for (const auto law : laws_of(o)) {
+    const auto ends = ends_of(o, law);
+    if (ends.empty() && o.law != "all") throw BadInput("--end", o.end, "force with --law " + o.law);
+    if (ends.empty()) job.left_out.push_back(law);
+    for (const auto end : ends) job.requests.push_back({law, end, job.target, o.stiffness});
+  }
+  if (!o.stiffness && std::any_of(job.requests.begin(), job.requests.end(),
+                                  [](const Request& r) { return r.law == LawName::fractional; }))
+    job.assumptions.push_back("the fractional law holds the k of the linear law ended by force (--stiffness)");
+  return job;
+}
+
+}  // namespace ricochet::calibration

@@ -1,0 +1,31 @@
+#include "report.hpp"
+
+#include <console/exit.hpp>
+#include <console/output.hpp>
+
+#include <CLI/CLI.hpp>
+
+using namespace ricochet;
+using namespace ricochet::calibration;
+
+namespace {
+
+console::Exit work(Options& options) {
+  options.settings.method = options.method == "nlopt" ? Method::nlopt : Method::direct;
+  const Report report = run(job_of(options), options.settings);
+  console::emit(options.output.file, render(report, options.output.format));
+  // Other laws that did reach the target answer the question; only a lone law that cannot is an error.
+  if (report.results.empty())
+    throw console::Unreachable(explained(report.infeasible.front(), report.job.target));
+  return console::Exit::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Finds the parameters of contact laws for a collision time and a restitution", "calibrate");
+  console::add_version(app);
+  Options options;
+  add_options(app, options);
+  return console::run_program(app, argc, argv, [&] { return work(options); });
+}

@@ -1,0 +1,50 @@
+#include "job.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace ricochet::calibration {
+namespace {
+
+std::string spelled(const std::vector<std::string>& names) {
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// An option that takes one of `names`; a message names flag, value and choices.
+void add_choice(CLI::App& app, const std::string& flag, std::string& target, std::vector<std::string> names,
+                const std::string& description) {
+  const std::string list = spelled(names);
+  app.add_option(flag, target, description + ": " + list)
+      ->check([flag, list, names](const std::string& value) {
+        for (const auto& name : names)
+          if (name == value) return std::string();
+        return flag + " = " + value + ": must be one of " + list;
+      });
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, Options& o) {
+  using console::add_number;
+  add_number(app, "--tcol", o.tcol, "collision time to reach [s]");
+  add_number(app, "--en", o.en, "restitution to reach, in (0, 1]");
+  add_choice(app, "--law", o.law, {"all", "linear", "kuwabara-kono", "tsuji", "hysteretic", "fractional"},
+             "law to calibrate (default all)");
+  add_choice(app, "--end", o.end, {"overlap", "force", "both"},
+             "what ends the contact (default both for linear, force for the others)");
+  add_number(app, "--velocity", o.velocity, "impact velocity [m/s] (default 0.5)");
+  add_number(app, "--mass-eff", o.mass_eff, "effective mass m1 m2/(m1+m2) [kg] (default 7.06858e-6)");
+  add_number(app, "--radius", o.radius, "radius of the sphere [m], with --density instead of --mass-eff");
+  add_number(app, "--density", o.density, "density of the sphere [kg/m^3]");
+  add_number(app, "--radius2", o.radius2, "radius of the other sphere [m] (default --radius)");
+  add_number(app, "--density2", o.density2, "density of the other sphere [kg/m^3] (default --density)");
+  app.add_flag("--wall", o.wall, "the sphere hits a wall instead of another sphere");
+  add_number(app, "--stiffness", o.stiffness, "k that the fractional law holds [kg/s^2] (default linear's, by force)");
+  add_choice(app, "--method", o.method, {"nlopt", "direct"}, "method of the answer; the other one cross-checks it");
+  add_choice(app, "--algorithm", o.settings.algorithm, algorithms(), "NLopt's algorithm (default LN_BOBYQA)");
+  add_number(app, "--tolerance", o.settings.tolerance, "relative, in tcol and en (default 1e-10)");
+  console::add_output_options(app, o.output);
+}
+
+}  // namespace ricochet::calibration

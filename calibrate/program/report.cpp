@@ -1,0 +1,42 @@
+#include "report.hpp"
+
+#include <console/number.hpp>
+
+namespace ricochet::calibration {
+namespace {
+
+Infeasible not_offered(LawName law) {
+  return {law, ContactEnd::overlap, "the law is calibrated for a contact ended by force only", "", 0, 0};
+}
+
+}  // namespace
+
+Report run(const Job& job, const Settings& settings) {
+  Report report{job, {}, {}};
+  for (const auto& request : job.requests) {
+    const Outcome outcome = calibrate(request, settings);
+    if (const auto* result = std::get_if<Calibration>(&outcome)) report.results.push_back(*result);
+    if (const auto* missed = std::get_if<Infeasible>(&outcome)) report.infeasible.push_back(*missed);
+  }
+  for (const auto law : job.left_out) report.infeasible.push_back(not_offered(law));
+  return report;
+}
+
+std::string explained(const Infeasible& missed, const Target& target) {
+  const std::string law = std::string(text(missed.law)) + " ended by " + std::string(text(missed.end));
+  if (missed.quantity.empty()) return law + ": " + missed.reason;
+  using console::significant;
+  const std::string range = missed.lowest == missed.highest
+                                ? significant(missed.lowest, 10)
+                                : "in [" + significant(missed.lowest, 6) + ", " + significant(missed.highest, 6) + "]";
+  const std::string value = missed.quantity == "en" ? " = " + console::shortest(target.en) : "";
+  return law + ": " + missed.quantity + value + ": must be " + range + ": " + missed.reason;
+}
+
+std::string render(const Report& report, console::Format format) {
+  if (format == console::Format::json) return json_of(report);
+  if (format == console::Format::csv) return csv_of(report).csv();
+  return console::render_all(tables_of(report), format);
+}
+
+}  // namespace ricochet::calibration

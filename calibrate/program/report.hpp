@@ -1,0 +1,33 @@
+#pragma once
+
+#include "job.hpp"
+
+#include <console/table.hpp>
+
+#include <string>
+#include <vector>
+
+namespace ricochet::calibration {
+
+/// Everything that the program has to tell about one job.
+struct Report {
+  Job job;
+  std::vector<Calibration> results;
+  std::vector<Infeasible> infeasible;
+};
+
+Report run(const Job& job, const Settings& settings);
+
+/// "en = 0.01: must be in [0.2, 1]: <why>"
+std::string explained(const Infeasible& missed, const Target& target);
+
+/// For people: parameters, collisions, checks, in several captioned tables.
+std::vector<console::Table> tables_of(const Report& report);
+/// For spreadsheets: one row a law and end.
+console::Table csv_of(const Report& report);
+/// "ricochet/calibration/1".
+std::string json_of(const Report& report);
+
+std::string render(const Report& report, console::Format format);
+
+}  // namespace ricochet::calibration

@@ -1,0 +1,87 @@
+#include "report.hpp"
+
+#include <console/number.hpp>
+
+namespace ricochet::calibration {
+namespace {
+
+using console::Cell;
+using console::Notation;
+using console::Table;
+
+constexpr Notation nine{Notation::Kind::significant, 9};
+constexpr Notation rough{Notation::Kind::scientific, 0};
+
+std::string law_of(const Calibration& r) { return std::string(name(r.law)); }
+std::string end_of(const Calibration& r) { return std::string(text(r.end)); }
+
+/// One line a parameter, since every law has its own units.
+Table parameter_table(const Report& report) {
+  const auto& [tcol, en, impact] = report.job.target;
+  using console::shortest;
+  Table table({{"law"}, {"end"}, {"parameter"}, {"value", "", nine}, {"unit"}},
+              "Parameters for tcol = " + shortest(tcol) + " s, en = " + shortest(en) + " at " +
+                  shortest(impact.velocity) + " m/s, effective mass " + console::significant(impact.mass_eff, 9) +
+                  " kg");
+  for (const auto& r : report.results)
+    for (const auto& p : parameters(r.law)) table.row({law_of(r), end_of(r), p.name, p.value, p.unit});
+  for (const auto& assumption : report.job.assumptions) table.note("assumed: " + assumption);
+  return table;
+}
+
+void note_fractional(Table& table, const Calibration& r) {
+  const auto* law = std::get_if<Fractional>(&r.law);
+  if (!law) return;
+  const std::string product = "c^alpha k^(1-alpha) = " + console::significant(law->coefficient(), 9) + " kg s^(alpha-2)";
+  if (law->alpha() == 0)
+    table.note("fractional: alpha = 0 is a spring and c has no effect; sqrt(k m) is shown for it");
+  else
+    table.note("fractional, ended by " + end_of(r) + ": only alpha and " + product +
+               " are identifiable; k is held and c goes with it");
+}
+
+Table collision_table(const Report& report) {
+  std::vector<console::Column> columns{{"law"}, {"end"}, {"tcol", "s", nine}, {"en", "", nine}, {"max overlap", "m"},
+                                       {"overlap at end", "m"}, {"max force", "N"}, {"tcol by Eq. (57)", "s"}};
+  if (report.job.radius) columns.push_back({"max overlap/radius", "%", {Notation::Kind::significant, 3}});
+  Table table(columns, "What they do, by an independent numerical collision");
+  for (const auto& r : report.results) {
+    std::vector<Cell> row{law_of(r), end_of(r), r.achieved.tcol, r.achieved.en, r.achieved.max_overlap,
+                          r.achieved.overlap_end, r.achieved.max_force,
+                          r.tcol_estimate ? Cell(*r.tcol_estimate) : console::blank()};
+    if (report.job.radius) row.push_back(100 * r.achieved.max_overlap / *report.job.radius);
+    table.row(row);
+  }
+  for (const auto& r : report.results) note_fractional(table, r);
+  return table;
+}
+
+Table check_table(const Report& report) {
+  Table table({{"law"}, {"end"}, {"method"}, {"algorithm"}, {"collisions"}, {"tcol error", "", rough},
+               {"en error", "", rough}, {"cross-check by"}, {"difference", "", rough}},
+              "How far from the target, and from the other method's parameters (relative)");
+  for (const auto& r : report.results)
+    table.row({law_of(r), end_of(r), std::string(text(r.method)), r.algorithm, static_cast<std::int64_t>(r.evaluations),
+               std::abs(r.tcol_residual), std::abs(r.en_residual), std::string(text(r.cross_method)),
+               r.cross_difference});
+  return table;
+}
+
+Table infeasible_table(const Report& report) {
+  Table table({{"law"}, {"end"}, {"why"}}, "Out of reach");
+  for (const auto& missed : report.infeasible)
+    table.row({std::string(text(missed.law)), std::string(text(missed.end)), explained(missed, report.job.target)});
+  return table;
+}
+
+}  // namespace
+
+std::vector<Table> tables_of(const Report& report) {
+  std::vector<Table> tables;
+  if (!report.results.empty())
+    tables = {parameter_table(report), collision_table(report), check_table(report)};
+  if (!report.infeasible.empty()) tables.push_back(infeasible_table(report));
+  return tables;
+}
+
+}  // namespace ricochet::calibration

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "family.hpp"
+
+#include <string>
+
+namespace ricochet::calibration {
+
+/// What a method found, in the units of the target.
+struct Solution {
+  Coordinates x;
+  std::string algorithm;
+  std::size_t evaluations;  ///< collisions tried
+};
+
+/// The reduction: the one dimensionless group from e_n, then the scale from one collision. nullopt where no group was found
+/// that keeps e_n.
+std::optional<Solution> solve_directly(LawName law, ContactEnd end, double en);
+
+/// The search; its best point, whether or not it met the tolerance.
+Solution search(LawName law, ContactEnd end, double en, const std::string& algorithm, double tolerance);
+
+/// The collision of a law in the units of the target.
+inline Collision unit_collision(LawName law, const Coordinates& x, ContactEnd end) {
+  return collide(scaled_law(law, x), {1, 1}, {end});
+}
+
+}  // namespace ricochet::calibration
