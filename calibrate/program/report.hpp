@@ -19,7 +19,7 @@ struct Report {
 Report run(const Job& job, const Settings& settings);
 
 /// "en = 0.01: must be in [0.2, 1]: <why>"
-std::string explained(const Infeasible& missed, const Target& target);
+std::string explained(const Infeasible& missed);
 
 /// For people: parameters, collisions, checks, in several captioned tables.
 std::vector<console::Table> tables_of(const Report& report);
