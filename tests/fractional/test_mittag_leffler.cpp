@@ -102,6 +102,8 @@ TEST_CASE("E has its closed forms") {
     const double root = std::sqrt(std::abs(x));
     CHECK(excess(mittag_leffler(2, 1, x), x < 0 ? std::cos(root) : std::cosh(root),
                  0.5 * root * (x < 0 ? std::sin(root) : std::sinh(root))) <= 1);
+    const double versine = x < 0 ? 2 * std::pow(std::sin(root / 2), 2) : 2 * std::pow(std::sinh(root / 2), 2);
+    if (x != 0) CHECK(excess(mittag_leffler(2, 3, x), versine / std::abs(x), 0) <= 1);
     if (x >= -7.5 && x <= 0) {  // erfcx through erfc has lost no digit yet
       CHECK(excess(mittag_leffler(0.5, 1, x), std::exp(x * x) * std::erfc(-x), x) <= 1);
     }

@@ -7,11 +7,10 @@
 namespace ricochet::detail {
 
 using std::numbers::pi;
-using Complex = std::complex<double>;
 
 namespace {
 
-constexpr double angle = 0.82;  // φ: nearly as far from the cut (π/2 − φ) as from the line where e^s grows (φ)
+constexpr double angle = 0.82;  // φ: about as far from the cut (π/2 − φ) as from the line where e^s grows (φ)
 
 }  // namespace
 
@@ -29,13 +28,13 @@ HankelContour::HankelContour(double beta) {
       const double mirrored = u == 0 ? 1 : 2;
       const Complex s = mu_ * Complex(1 - std::sin(angle) * std::cosh(u), std::cos(angle) * std::sinh(u));
       const Complex slope = mu_ * Complex(std::cos(angle) * std::cosh(u), std::sin(angle) * std::sinh(u));
-      nodes_[g][k] = {s, std::log(s), mirrored * step_ / (2 * pi) * slope};
+      nodes_[g][k] = {s, std::log(s), mirrored * step_ / (2 * pi) * slope * std::exp(s)};
     }
   }
 }
 
 Complex HankelContour::parameter(Complex s) const {
-  // 1 + sin θ = 2 sin²(θ/2 + π/4) avoids the cancellation near s = 0; θ = iu − φ.
+  // 1 + sin θ = 2 sin²(θ/2 + π/4), θ = iu − φ, avoids the cancellation near s = 0.
   const Complex iu = angle - pi / 2 + 2.0 * std::asin(std::sqrt(s / (2 * mu_)));
   return {iu.imag(), -iu.real()};
 }
@@ -45,16 +44,36 @@ HankelContour::Grid HankelContour::grid_away_from(Complex u) const {
   return std::abs(position - std::round(position)) < 0.25 ? off_axis : on_axis;
 }
 
+Complex HankelContour::turns(Complex u, Grid g) const {
+  return Complex(0, -2 * pi) * (u / step_ - (g == off_axis ? 0.5 : 0.0));
+}
+
 Complex HankelContour::pole_factor(Complex u, Grid g) const {
-  const Complex exponent = Complex(0, -2 * pi) * (u / step_ - (g == off_axis ? 0.5 : 0.0));
-  if (exponent.real() > 41) return 0;  // so near the cut that it belongs to the branch point, which the rule resolves
-  return -1.0 / expm1(exponent);
+  const Complex q = turns(u, g);
+  if (q.real() > 41) return 0;   // so near the cut that it belongs to the branch point, which the rule resolves
+  if (q.real() < -41) return 1;  // beyond the strip over which e^s lets the rule be shifted
+  return -1.0 / expm1(q);
+}
+
+Complex HankelContour::pole_factor_less_one(Complex u, Grid g) const {
+  const Complex q = turns(u, g);
+  if (q.real() > 41) return -1;
+  if (q.real() < -41) return 0;
+  return -std::exp(q) / expm1(q);
+}
+
+const HankelContour& contour_for(double b, std::unique_ptr<HankelContour>& own) {
+  constexpr double usual = 2.5;
+  static const HankelContour contour(usual);
+  if (b <= usual) return contour;
+  own = std::make_unique<HankelContour>(b);
+  return *own;
 }
 
 Complex expm1(Complex z) {
-  const double growth = std::expm1(z.real()), half = std::sin(z.imag() / 2);
-  const double turn = -2 * half * half;  // cos − 1
-  return {growth + turn + growth * turn, (growth + 1) * std::sin(z.imag())};
+  const double growth = std::expm1(z.real()), sine = std::sin(z.imag() / 2), cosine = std::cos(z.imag() / 2);
+  const double turn = -2 * sine * sine;  // cos(Im z) − 1
+  return {growth + turn + growth * turn, (growth + 1) * (2 * sine * cosine)};
 }
 
 }  // namespace ricochet::detail

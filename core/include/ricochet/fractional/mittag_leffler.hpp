@@ -4,6 +4,10 @@
 
 namespace ricochet {
 
+namespace detail {
+class PreparedMittagLeffler;
+}
+
 /// The two-parameter Mittag-Leffler function (53), E_{a,b}(x) = Σ_k x^k/Γ(ak + b), of real x.
 ///
 /// Domain: 0 < a ≤ 3, b > 0, −1e6 ≤ x ≤ 5; anything else throws std::invalid_argument naming the value. A value past
@@ -16,11 +20,13 @@ namespace ricochet {
 /// The poles s^a = x are added in closed form, each with the factor that makes rule plus pole exact wherever the pole
 /// lies, also on the contour. For x ≤ −1 the leading term −1/(x Γ(b−a)) is split off, and near a = 1 with b near 0 or 1,
 /// where the whole tail vanishes with a − 1, the integrand of a = 1 is subtracted. So the digits of small tails come from
-/// 1/Γ and expm1 and not from a difference of large numbers.
+/// 1/Γ and expm1 and not from a difference of large numbers. On an AMD EPYC 0.8–1.6 µs a value for b ≤ 2.5; larger b
+/// lay out a contour of their own, about 5 µs.
 double mittag_leffler(double a, double b, double x);
 
-/// E_{a,b} prepared for many x at one (a, b); see `mittag_leffler` for domain, error and method. Immutable, cheap to
-/// copy, safe to share between threads.
+/// E_{a,b} prepared for many x at one (a, b); see `mittag_leffler` for domain and error. Polynomials of degree 15 take
+/// over where they are faster, interpolating the values of the method above; about 10 ns a value for a ≥ 1 and x ≥ −16,
+/// 50–200 ns elsewhere, 0.2 ms to prepare. Immutable, cheap to copy, safe to share between threads.
 class MittagLeffler {
  public:
   MittagLeffler(double a, double b);
@@ -30,8 +36,7 @@ class MittagLeffler {
   double operator()(double x) const;
 
  private:
-  struct Prepared;
-  std::shared_ptr<const Prepared> prepared_;
+  std::shared_ptr<const detail::PreparedMittagLeffler> prepared_;
 };
 
 }  // namespace ricochet

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "hankel_contour.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace ricochet::detail {
+
+/// How the integrand of (1/2πi) ∫ e^s s^{a−b}/(s^a − x) ds is written, so that no digit is lost.
+struct Form {
+  int shifts = 0;         ///< how often E_{a,b} = (E_{a,b−a} − 1/Γ(b−a))/x is applied before integrating; −1: backwards
+  bool near_one = false;  ///< the integrand of E_{1,m} is subtracted
+  int m = 1;              ///< integer near b
+
+  static Form choose(double a, double b, double x);
+  bool operator==(const Form&) const = default;
+};
+
+/// The integrand of one form on one grid, in arrays that the compiler can sum over in lanes.
+class Nodes {
+ public:
+  Nodes(const HankelContour& contour, HankelContour::Grid grid, double a, double b, Form form);
+
+  double integral(double x) const { return form_.near_one ? integral_near_one(x) : integral_plain(x); }
+
+ private:
+  void fill(std::size_t k, const ContourNode& node, double a, double b);
+  void fill_near_one(std::size_t k, const ContourNode& node, double a, double b);
+  double integral_plain(double x) const;
+  double integral_near_one(double x) const;
+
+  using Row = std::array<double, HankelContour::capacity>;
+  std::size_t size_;
+  Form form_;
+  Row pole_re_, pole_im_, re_, im_;
+  Row linear_re_, linear_im_, s_re_, s_im_;  // only near one
+};
+
+/// The poles of 1/(s^a − x) on the principal sheet, as far as the rule does not integrate them by itself.
+class Poles {
+ public:
+  Poles(const HankelContour& contour, double a, double x);
+
+  /// The grid that keeps clear of the pole nearest the contour.
+  HankelContour::Grid grid(const HankelContour& contour) const;
+
+  /// Σ of the residues s^{1−b} e^s/a times the contour's factor, or its factor less one.
+  enum class Count { rest, rest_less_one };
+  double residues(const HankelContour& contour, HankelContour::Grid grid, double b, Count count) const;
+
+ private:
+  struct Pole {
+    Complex s, u;
+    double radius, argument;  // of s
+    int count;                // 2: with its conjugate
+  };
+  void add(const HankelContour& contour, double radius, double argument, double cosine, int count);
+
+  double a_;
+  std::size_t size_ = 0;
+  std::array<Pole, 2> poles_{};
+};
+
+/// cos(π/a), to full relative accuracy also near a = 2, where a radius of a thousand multiplies it.
+inline double cosine_of_pole(double a) { return std::sin(0.5 * std::numbers::pi * (a - 2) / a); }
+
+/// |x|^{1/a}, with the rounding of 1/a made good, which a phase |x|^{1/a} sin(π/a) of thousands would feel.
+double pole_radius(double a, double x);
+
+/// E_{2,3}(x) = (1 − cos √−x)/(−x): its zeros are double, so nothing but a square keeps their digits.
+double versine(double x);
+
+/// Puts E together from its integral: undoes the shifts, adds E_{1,m} near one. gamma(k) = 1/Γ(b − ka), k = 0, 1, 2.
+template <class Gamma>
+double assemble(double x, Form form, double integral, const Gamma& gamma) {
+  double value = integral;
+  if (form.shifts < 0) value = gamma(0) + x * value;
+  for (int k = form.shifts; k > 0; --k) value = (value - gamma(k)) / x;
+  if (form.near_one) value += form.m == 0 ? x * std::exp(x) : std::exp(x);
+  return value;
+}
+
+/// Below this a the pair of poles at x < 0 is so near the cut that the rule integrates it to rounding.
+inline constexpr double least_pole_order = 1.05;
+
+/// Below this b, E near x = 0 is as small as 1/Γ(b) ≈ b, and the first term of its series is kept apart.
+inline constexpr double least_second = 0.3;
+
+}  // namespace ricochet::detail

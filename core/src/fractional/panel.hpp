@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace ricochet::detail {
+
+/// The polynomial of degree 15 through a function's values at the Chebyshev points of [low, high], by powers of the
+/// local variable in [−1, 1]. To be used where the function's Chebyshev coefficients fall to rounding well before the
+/// last: then the powers lose nothing, and they can be summed as a tree.
+class Panel {
+ public:
+  template <class F>
+  Panel(const F& f, double low, double high) : centre_(0.5 * (low + high)), scale_(2 / (high - low)) {
+    Row value{};
+    for (std::size_t j = 0; j < size; ++j) value[j] = f(centre_ + std::cos(angle(j)) / scale_);
+    Row before{}, powers{1};  // of T_{k−1} and T_k
+    for (std::size_t k = 0; k < size; ++k) {
+      const double c = coefficient(value, k);
+      for (std::size_t i = 0; i < size; ++i) c_[i] += c * powers[i];
+      Row after{};
+      for (std::size_t i = 1; i < size; ++i) after[i] = (k == 0 ? 1 : 2) * powers[i - 1];
+      for (std::size_t i = 0; k > 0 && i < size; ++i) after[i] -= before[i];
+      before = powers;
+      powers = after;
+    }
+  }
+
+  double operator()(double x) const noexcept {
+    const double t = (x - centre_) * scale_, t2 = t * t, t4 = t2 * t2, t8 = t4 * t4;
+    const auto four = [&](std::size_t i) { return (c_[i] + c_[i + 1] * t) + (c_[i + 2] + c_[i + 3] * t) * t2; };
+    return (four(0) + four(4) * t4) + (four(8) + four(12) * t4) * t8;
+  }
+
+ private:
+  static constexpr std::size_t size = 16;
+  using Row = std::array<double, size>;
+
+  static double angle(std::size_t j) { return std::numbers::pi * (static_cast<double>(j) + 0.5) / size; }
+  static double coefficient(const Row& value, std::size_t k) {
+    double sum = 0;
+    for (std::size_t j = 0; j < size; ++j) sum += value[j] * std::cos(static_cast<double>(k) * angle(j));
+    return sum * (k == 0 ? 1.0 : 2.0) / size;
+  }
+
+  double centre_, scale_;
+  Row c_{};
+};
+
+}  // namespace ricochet::detail
