@@ -16,6 +16,7 @@ using console::shortest;
 
 constexpr double default_velocity = 0.5;
 constexpr double default_mass_eff = 7.06858e-6;
+constexpr double default_radius_eff = 0.75e-3, default_density = 1000;
 constexpr std::array all_laws{LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic,
                               LawName::fractional};
 
@@ -26,7 +27,7 @@ double positive(const char* flag, double value) {
 
 /// The positive value of an option that must have been given.
 double needed(const char* flag, const std::optional<double>& value, const char* what) {
-  if (!value) throw BadInput(std::string(flag) + ": missing: must be given, " + what);
+  if (!value) throw BadInput(std::string(flag) + ": missing: must be " + what);
   return positive(flag, *value);
 }
 
@@ -44,10 +45,12 @@ bool speaks_of_spheres(const Options& o) {
 
 /// m₁m₂/(m₁+m₂), or the sphere's mass against a wall.
 double mass_of_spheres(const Options& o, Job& job) {
-  const double radius = needed("--radius", o.radius, "a radius [m], > 0, with --density, --radius2, --density2 or --wall");
-  const double density = needed("--density", o.density, "a density [kg/m^3], > 0, with --radius");
+  const double radius = needed("--radius", o.radius, "given with --density [m], > 0");
+  const double density = needed("--density", o.density, "given with --radius [kg/m^3], > 0");
   const double mass = sphere_mass(radius, density);
   job.radius = radius;
+  job.radius_eff = radius;
+  job.density = density;
   if (o.wall) {
     refuse_with("--radius2", o.radius2, true, "--wall");
     refuse_with("--density2", o.density2, true, "--wall");
@@ -57,6 +60,8 @@ double mass_of_spheres(const Options& o, Job& job) {
   const double radius2 = positive("--radius2", o.radius2.value_or(radius));
   const double other = sphere_mass(radius2, positive("--density2", o.density2.value_or(density)));
   job.radius = std::min(radius, radius2);
+  job.radius_eff = radius / (1 + radius / radius2);
+  if (o.density2.value_or(density) != density) job.density.reset();
   return mass / (1 + mass / other);
 }
 
@@ -70,12 +75,14 @@ double mass_eff(const Options& o, Job& job) {
   if (speaks_of_spheres(o)) return mass_of_spheres(o, job);
   job.assumptions.push_back("effective mass " + shortest(default_mass_eff) +
                             " kg, two spheres of radius 1.5 mm and 1000 kg/m^3 (--mass-eff)");
+  job.radius_eff = default_radius_eff;
+  job.density = default_density;
   return default_mass_eff;
 }
 
 Target target_of(const Options& o, Job& job) {
   const double tcol = needed("--tcol", o.tcol, "a collision time [s], > 0");
-  if (!o.en) throw BadInput("--en: missing: must be given, a restitution in (0, 1]");
+  if (!o.en) throw BadInput("--en: missing: must be a restitution in (0, 1]");
   if (!(*o.en > 0 && *o.en <= 1)) throw BadInput("--en", shortest(*o.en), "in (0, 1]");
   if (!o.velocity) job.assumptions.push_back("impact velocity " + shortest(default_velocity) + " m/s (--velocity)");
   const double velocity = positive("--velocity", o.velocity.value_or(default_velocity));

@@ -20,6 +20,7 @@ struct Options {
   std::string law = "all", end;
   Settings settings;
   std::string method = "nlopt";
+  std::string engine;  ///< of --export; empty: none
   console::OutputOptions output;
 };
 
@@ -32,6 +33,7 @@ struct Job {
   std::vector<Request> requests;
   std::vector<LawName> left_out;  ///< laws of "all" that do not offer the asked end
   std::vector<std::string> assumptions;
+  std::optional<double> radius_eff, density;  ///< where they are known: r₁r₂/(r₁+r₂) [m], of both spheres [kg/m³]
   std::optional<double> radius;   ///< of the smaller sphere, where radii were given [m]
 };
 

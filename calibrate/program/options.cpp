@@ -2,8 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-
 namespace ricochet::calibration {
 namespace {
 
@@ -17,12 +15,12 @@ std::string spelled(const std::vector<std::string>& names) {
 void add_choice(CLI::App& app, const std::string& flag, std::string& target, std::vector<std::string> names,
                 const std::string& description) {
   const std::string list = spelled(names);
-  const auto read = [&target, flag, list, names](const std::string& value) {
-    if (std::find(names.begin(), names.end(), value) == names.end())
-      throw CLI::ValidationError(flag + " = " + value + ": must be one of " + list);
-    target = value;
-  };
-  app.add_option_function<std::string>(flag, read, description + ": " + list)->type_name("NAME");
+  app.add_option(flag, target, description + ": " + list)
+      ->check([flag, list, names](const std::string& value) {
+        for (const auto& name : names)
+          if (name == value) return std::string();
+        return flag + " = " + value + ": must be one of " + list;
+      });
 }
 
 }  // namespace
@@ -46,6 +44,8 @@ void add_options(CLI::App& app, Options& o) {
   add_choice(app, "--method", o.method, {"nlopt", "direct"}, "method of the answer; the other one cross-checks it");
   add_choice(app, "--algorithm", o.settings.algorithm, algorithms(), "NLopt's algorithm (default LN_BOBYQA)");
   add_number(app, "--tolerance", o.settings.tolerance, "relative, in tcol and en (default 1e-10)");
+  add_choice(app, "--export", o.engine, {"liggghts", "lammps", "yade", "mercurydpm", "mfix"},
+             "write the laws in an engine's own language instead");
   console::add_output_options(app, o.output);
 }
 

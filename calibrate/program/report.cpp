@@ -6,7 +6,7 @@ namespace ricochet::calibration {
 namespace {
 
 Infeasible not_offered(LawName law) {
-  return {law, ContactEnd::overlap, "the law is calibrated for a contact ended by force only", "", 0, 0, 0};
+  return {law, ContactEnd::overlap, "the law is calibrated for a contact ended by force only", "", 0, 0};
 }
 
 }  // namespace
@@ -22,13 +22,15 @@ Report run(const Job& job, const Settings& settings) {
   return report;
 }
 
-std::string explained(const Infeasible& missed) {
-  if (missed.quantity.empty()) return missed.reason;
+std::string explained(const Infeasible& missed, const Target& target) {
+  const std::string law = std::string(text(missed.law)) + " ended by " + std::string(text(missed.end));
+  if (missed.quantity.empty()) return law + ": " + missed.reason;
   using console::significant;
   const std::string range = missed.lowest == missed.highest
-                                ? console::shortest(missed.lowest)
+                                ? significant(missed.lowest, 10)
                                 : "in [" + significant(missed.lowest, 6) + ", " + significant(missed.highest, 6) + "]";
-  return missed.quantity + " = " + console::shortest(missed.asked) + ": must be " + range + ": " + missed.reason;
+  const std::string value = missed.quantity == "en" ? " = " + console::shortest(target.en) : "";
+  return law + ": " + missed.quantity + value + ": must be " + range + ": " + missed.reason;
 }
 
 std::string render(const Report& report, console::Format format) {

@@ -19,7 +19,11 @@ struct Report {
 Report run(const Job& job, const Settings& settings);
 
 /// "en = 0.01: must be in [0.2, 1]: <why>"
-std::string explained(const Infeasible& missed);
+std::string explained(const Infeasible& missed, const Target& target);
+
+/// The laws found in the language of `engine`, as one file to include or as JSON. Throws console::BadInput for another
+/// format.
+std::string exported(const Report& report, const std::string& engine, console::Format format);
 
 /// For people: parameters, collisions, checks, in several captioned tables.
 std::vector<console::Table> tables_of(const Report& report);

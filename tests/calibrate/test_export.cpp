@@ -1,0 +1,263 @@
+#include <catch2/catch.hpp>
+
+#include <calibrate/export.hpp>
+#include <ricochet/contact/damping_ratio.hpp>
+#include <ricochet/contact/peer_damping.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+using namespace ricochet;
+using namespace ricochet::calibration;
+
+namespace {
+
+// The pair of Table II of the paper: two spheres, r = 1.5 mm, 1000 kg/m³.
+constexpr double radius_eff = 0.75e-3, mass_eff = 7.06858e-6;
+
+ExportCase with(AnyLaw law, ContactEnd end) {
+  return {.law = law, .end = end, .tcol = 1e-4, .en = 0.5, .impact = {0.5, mass_eff}, .radius_eff = radius_eff,
+          .density = 1000};
+}
+
+const Linear linear(7316, 0.098), linear_by_force(5211.5, 0.098);
+const KuwabaraKono kuwabara_kono(1389289, 33.845);
+const Tsuji tsuji(1.3e6, 1.46);
+const Hysteretic hysteretic(3924, 15697);
+const Fractional fractional(5225, 0.2964, 0.3197);
+
+std::vector<ExportCase> all_cases() {
+  return {with(linear, ContactEnd::overlap), with(linear_by_force, ContactEnd::force),
+          with(kuwabara_kono, ContactEnd::force), with(tsuji, ContactEnd::overlap), with(tsuji, ContactEnd::force),
+          with(hysteretic, ContactEnd::force), with(fractional, ContactEnd::force)};
+}
+
+/// The lines of a snippet that an engine acts on.
+std::string active(const Snippet& snippet) {
+  std::istringstream lines(snippet.text);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty() && !line.starts_with("#") && !line.starts_with("//") && !line.starts_with("!")) kept += line + "\n";
+  return kept;
+}
+
+/// The number that follows `mark` in what the engine acts on.
+double after(const Snippet& snippet, const std::string& mark) {
+  const std::string text = active(snippet);
+  const std::size_t at = text.find(mark);
+  REQUIRE(at != std::string::npos);
+  return std::stod(text.substr(at + mark.size()));
+}
+
+bool acts_on(const Snippet& snippet, const std::string& words) { return active(snippet).find(words) != std::string::npos; }
+
+constexpr double overlap = 1.7e-5, rate = -0.21;  // any instant of a contact
+
+template <class Law>
+double law_force(const Law& law) {
+  return law.force({overlap, rate}, {});
+}
+
+std::string file(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("LAMMPS: the force formed from the snippet's numbers as LAMMPS forms it is the law's") {
+  const double contact_radius = std::sqrt(radius_eff * overlap);
+  const auto hooke = export_law(Engine::lammps, with(linear, ContactEnd::overlap));
+  std::istringstream numbers(active(hooke).substr(active(hooke).find("hooke ") + 6));
+  double stiffness, damping;
+  numbers >> stiffness >> damping;
+  CHECK(stiffness * overlap + damping * rate == Approx(law_force(linear)).epsilon(1e-14));
+  CHECK(acts_on(hooke, "damping velocity"));
+  CHECK_FALSE(acts_on(hooke, "limit_damping"));
+  CHECK(acts_on(export_law(Engine::lammps, with(linear, ContactEnd::force)), "limit_damping"));
+
+  const auto viscoelastic = export_law(Engine::lammps, with(kuwabara_kono, ContactEnd::force));
+  numbers = std::istringstream(active(viscoelastic).substr(active(viscoelastic).find("hertz ") + 6));
+  numbers >> stiffness >> damping;
+  CHECK(contact_radius * (stiffness * overlap + damping * mass_eff * rate) ==
+        Approx(law_force(kuwabara_kono)).epsilon(1e-14));
+  CHECK(acts_on(viscoelastic, "damping viscoelastic"));
+
+  const auto hertz = export_law(Engine::lammps, with(tsuji, ContactEnd::overlap));
+  numbers = std::istringstream(active(hertz).substr(active(hertz).find("hertz ") + 6));
+  numbers >> stiffness >> damping;
+  const double spring = stiffness * contact_radius;
+  CHECK(spring * overlap + marshall_polynomial(damping) * std::sqrt(mass_eff * spring) * rate ==
+        Approx(law_force(tsuji)).epsilon(1e-12));
+  CHECK(acts_on(hertz, "damping tsuji"));
+}
+
+TEST_CASE("LAMMPS: strong damping takes the polynomial below zero, none at all leaves it") {
+  const Tsuji strong(1e6, 3 * std::sqrt(mass_eff * 1e6));
+  const auto snippet = export_law(Engine::lammps, with(strong, ContactEnd::force));
+  std::istringstream numbers(active(snippet).substr(active(snippet).find("hertz ") + 6));
+  double stiffness, argument;
+  numbers >> stiffness >> argument;
+  CHECK(argument < 0);
+  CHECK(marshall_polynomial(argument) == Approx(3).epsilon(1e-12));
+  CHECK(acts_on(export_law(Engine::lammps, with(Tsuji(1e6, 0), ContactEnd::overlap)), "damping velocity"));
+  const Tsuji faint(1e6, 1e-4 * std::sqrt(mass_eff * 1e6));  // under the polynomial's least value
+  CHECK(export_law(Engine::lammps, with(faint, ContactEnd::overlap)).fidelity == Fidelity::absent);
+}
+
+TEST_CASE("LIGGGHTS: the force formed from the snippet's numbers as LIGGGHTS forms it is the law's") {
+  const std::string each = " peratomtypepair 1 ";
+  const double contact_radius = std::sqrt(radius_eff * overlap);
+  const auto hooke = export_law(Engine::liggghts, with(linear, ContactEnd::overlap));
+  CHECK(after(hooke, " kn" + each) * overlap + after(hooke, " gamman_abs" + each) * rate ==
+        Approx(law_force(linear)).epsilon(1e-14));
+  CHECK(acts_on(hooke, "absolute_damping on"));
+  CHECK(acts_on(hooke, "limitForce off"));
+
+  const auto stiffness = export_law(Engine::liggghts, with(kuwabara_kono, ContactEnd::force));
+  CHECK(contact_radius * (after(stiffness, " kn" + each) * overlap + mass_eff * after(stiffness, " gamman" + each) * rate) ==
+        Approx(law_force(kuwabara_kono)).epsilon(1e-14));
+  CHECK(acts_on(stiffness, "limitForce on"));
+
+  for (const auto end : {ContactEnd::overlap, ContactEnd::force}) {
+    const auto hertz = export_law(Engine::liggghts, with(tsuji, end));
+    const double nu = after(hertz, "poissonsRatio peratomtype ");
+    const double modulus = 1 / (2 * (1 - nu * nu) / after(hertz, "youngsModulus peratomtype "));
+    const double log_en = std::log(after(hertz, "coefficientRestitution" + each));
+    const double beta = log_en / std::sqrt(log_en * log_en + M_PI * M_PI);
+    const double damping = -2 * std::sqrt(5.0 / 6.0) * beta * std::sqrt(2 * modulus * contact_radius * mass_eff);
+    CHECK(4.0 / 3.0 * modulus * contact_radius * overlap + damping * rate == Approx(law_force(tsuji)).epsilon(1e-13));
+    CHECK(acts_on(hertz, end == ContactEnd::force ? "limitForce on" : "limitForce off"));
+  }
+}
+
+TEST_CASE("LIGGGHTS: moduli outside its usual range are allowed, restitutions outside it can't be") {
+  CHECK(acts_on(export_law(Engine::liggghts, with(Tsuji(1e4, 0.01), ContactEnd::overlap)), "soft_particles yes"));
+  CHECK(acts_on(export_law(Engine::liggghts, with(Tsuji(1e8, 0.01), ContactEnd::overlap)), "hard_particles yes"));
+  const Tsuji lossy(1.3e6, 0.9 * std::sqrt(5 * mass_eff * 1.3e6));
+  CHECK(export_law(Engine::liggghts, with(lossy, ContactEnd::force)).fidelity == Fidelity::absent);
+}
+
+TEST_CASE("LIGGGHTS: the hysteretic model reaches k2 at the deepest overlap of the target's impact") {
+  const auto luding = export_law(Engine::liggghts, with(hysteretic, ContactEnd::force));
+  CHECK(luding.fidelity == Fidelity::close);
+  const std::string each = " peratomtypepair 1 ";
+  const double k1 = after(luding, "LoadingStiffness" + each), k2 = k1 * after(luding, "UnloadingStiffness" + each);
+  const double limit = k2 / (k2 - k1) * after(luding, "coefficientPlasticityDepth" + each) * 2 * radius_eff;
+  CHECK(k1 == hysteretic.k1());
+  CHECK(k2 == Approx(hysteretic.k2()).epsilon(1e-14));
+  CHECK(limit == Approx(collide(hysteretic, {0.5, mass_eff}).max_overlap).epsilon(1e-12));
+}
+
+TEST_CASE("LIGGGHTS: the fractional law goes to the project's own model") {
+  const auto snippet = export_law(Engine::liggghts, with(fractional, ContactEnd::force));
+  CHECK(snippet.fidelity == Fidelity::exact);
+  CHECK(after(snippet, "fractionalK peratomtypepair 1 ") == fractional.k());
+  CHECK(after(snippet, "fractionalC peratomtypepair 1 ") == fractional.c());
+  CHECK(after(snippet, "fractionalAlpha peratomtypepair 1 ") == fractional.alpha());
+  CHECK(acts_on(snippet, "pair_style gran model fractional"));
+  for (const Engine engine : {Engine::lammps, Engine::yade, Engine::mercurydpm, Engine::mfix})
+    CHECK(export_law(engine, with(fractional, ContactEnd::force)).fidelity == Fidelity::absent);
+}
+
+TEST_CASE("Yade: the force formed from the snippet's numbers as Yade forms it is the law's") {
+  const auto viscel = export_law(Engine::yade, with(linear, ContactEnd::force));
+  CHECK(0.5 * after(viscel, "kn=") * overlap + 0.5 * after(viscel, "cn=") * rate ==
+        Approx(law_force(linear)).epsilon(1e-14));
+
+  const auto mindlin = export_law(Engine::yade, with(tsuji, ContactEnd::force));
+  const double nu = after(mindlin, "poisson=");
+  const double k = 4.0 / 3.0 * after(mindlin, "young=") / (2 * (1 - nu * nu)) * std::sqrt(radius_eff);
+  const double damping = 2 * std::sqrt(mass_eff * 1.5 * k * std::sqrt(overlap)) * after(mindlin, "betan=");
+  CHECK(k * std::pow(overlap, 1.5) + damping * rate == Approx(law_force(tsuji)).epsilon(1e-13));
+}
+
+TEST_CASE("MercuryDPM: the force formed from the snippet's numbers as MercuryDPM forms it is the law's") {
+  const auto linear_species = export_law(Engine::mercurydpm, with(linear, ContactEnd::overlap));
+  CHECK(after(linear_species, "setStiffness(") * overlap + after(linear_species, "setDissipation(") * rate ==
+        Approx(law_force(linear)).epsilon(1e-14));
+
+  const double geometry = 4.0 / 3.0 * std::sqrt(radius_eff * overlap);
+  const auto hertz = export_law(Engine::mercurydpm, with(tsuji, ContactEnd::overlap));
+  const double stiffness = geometry * after(hertz, "setEffectiveElasticModulus(");
+  CHECK(stiffness * overlap + after(hertz, "setDissipation(") * std::sqrt(mass_eff * stiffness) * rate ==
+        Approx(law_force(tsuji)).epsilon(1e-13));
+
+  const auto bshp = export_law(Engine::mercurydpm, with(kuwabara_kono, ContactEnd::force));
+  const double spring = geometry * after(bshp, "setEffectiveElasticModulus(");
+  CHECK(spring * overlap + 1.5 * after(bshp, "setDissipation(") * spring * rate ==
+        Approx(law_force(kuwabara_kono)).epsilon(1e-13));
+
+  const auto plastic = export_law(Engine::mercurydpm, with(hysteretic, ContactEnd::force));
+  CHECK(plastic.fidelity == Fidelity::exact);
+  CHECK(acts_on(plastic, "setPlasticParameters(3924, 15697, 0, 1)"));
+  CHECK(acts_on(plastic, "setDoConstantUnloadingStiffness(true)"));
+}
+
+TEST_CASE("MFiX: the force formed from the snippet's numbers as MFiX forms it is the law's") {
+  const auto damping_factor = [](double en) { return std::abs(std::log(en)) / std::hypot(M_PI, std::log(en)); };
+  const auto lsd = export_law(Engine::mfix, with(linear, ContactEnd::overlap));
+  const double kn = after(lsd, "KN = ");
+  CHECK(kn * overlap + 2 * std::sqrt(kn * mass_eff) * damping_factor(after(lsd, "DES_EN_INPUT(1) = ")) * rate ==
+        Approx(law_force(linear)).epsilon(1e-13));
+
+  const auto hertz = export_law(Engine::mfix, with(tsuji, ContactEnd::overlap));
+  const double nu = after(hertz, "V_POISSON(1) = ");
+  const double k = 4.0 / 3.0 * std::sqrt(radius_eff) * after(hertz, "E_YOUNG(1) = ") / (2 * (1 - nu * nu));
+  const double c = std::sqrt(5 * k * mass_eff) * damping_factor(after(hertz, "DES_EN_INPUT(1) = "));
+  CHECK(k * std::pow(overlap, 1.5) + c * std::pow(overlap, 0.25) * rate == Approx(law_force(tsuji)).epsilon(1e-13));
+}
+
+TEST_CASE("an engine that ends contacts otherwise is said to, with what comes out") {
+  const auto yade = export_law(Engine::yade, with(linear, ContactEnd::overlap));
+  CHECK(yade.fidelity == Fidelity::close);
+  CHECK(yade.gives.en ==
+        Approx(restitution_of_damping(damping_ratio(linear, mass_eff), ContactEnd::force)).epsilon(1e-12));
+  CHECK(yade.text.find("GIVES INSTEAD: collision time 8.6") != std::string::npos);
+  const auto mercury = export_law(Engine::mercurydpm, with(linear_by_force, ContactEnd::force));
+  CHECK(mercury.fidelity == Fidelity::close);
+  CHECK(mercury.gives.status == CollisionStatus::ended_by_overlap);
+  const Linear overdamped(1000, 1);
+  CHECK(export_law(Engine::mercurydpm, with(overdamped, ContactEnd::force)).fidelity == Fidelity::absent);
+}
+
+TEST_CASE("laws that are scaled by the radius are not written without it") {
+  ExportCase what = with(tsuji, ContactEnd::overlap);
+  what.radius_eff.reset();
+  for (const Engine engine : engines()) {
+    const auto snippet = export_law(engine, what);
+    CHECK(snippet.fidelity == Fidelity::absent);
+    CHECK(active(snippet).empty());
+    CHECK(snippet.text.find("--radius") != std::string::npos);
+  }
+}
+
+TEST_CASE("one file of several laws acts on one of them") {
+  std::vector<Snippet> snippets;
+  for (const ExportCase& what : all_cases()) snippets.push_back(export_law(Engine::yade, what));
+  const Snippet whole{Engine::yade, linear, ContactEnd::force, Fidelity::exact, {}, {}, combine(snippets)};
+  CHECK(active(whole) == active(snippets[1]));  // the first exact one: Yade ends contacts by force
+}
+
+TEST_CASE("the snippets read as agreed") {
+  for (const Engine engine : engines()) {
+    std::vector<Snippet> snippets;
+    for (const ExportCase& what : all_cases()) snippets.push_back(export_law(engine, what));
+    const std::string name = std::string(text(engine));
+    const std::string text = combine(snippets);
+    CHECK(std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+    const std::string golden = file(RICOCHET_SOURCE_DIR "/tests/calibrate/golden/" + name + ".txt");
+    CAPTURE(name);
+    CHECK(text == golden);
+  }
+}
+
+TEST_CASE("engines by name, and misuse") {
+  for (const Engine engine : engines()) CHECK(engine_named(text(engine)) == engine);
+  CHECK_FALSE(engine_named("edem"));
+  ExportCase what = with(linear, ContactEnd::overlap);
+  what.en = 1.5;
+  CHECK_THROWS_AS(export_law(Engine::lammps, what), std::invalid_argument);
+}
