@@ -14,4 +14,5 @@
 #include <ricochet/motion/column.hpp>
 #include <ricochet/motion/event_driven_column.hpp>
 #include <ricochet/motion/linked_cells.hpp>
+#include <ricochet/motion/tuned_law.hpp>
 #include <ricochet/version.hpp>

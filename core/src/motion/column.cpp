@@ -32,13 +32,19 @@ ColumnResult run(const Column& column, const Law& plate, const Law& pair, const 
   return result;
 }
 
-FractionalArms with_arms(const Fractional& law, const ColumnOptions& options) {
+MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
   const double shortest = options.shortest_memory > 0 ? options.shortest_memory : options.step;
   const double longest =
       options.longest_memory > 0 ? options.longest_memory : std::min(options.duration, 1e5 * shortest);
-  const MemoryKernel kernel =
-      memory_kernel(law.alpha(), shortest, std::max(longest, shortest), options.memory_tolerance);
-  return FractionalArms(law, kernel, options.step);
+  return memory_kernel(alpha, shortest, std::max(longest, shortest), options.memory_tolerance);
+}
+
+ColumnResult run_fractional(const Column& column, const Fractional& plate, const Fractional& pair,
+                            const ColumnOptions& options) {
+  const MemoryKernel of_plate = kernel_for(plate.alpha(), options);
+  const MemoryKernel of_pair = pair.alpha() == plate.alpha() ? of_plate : kernel_for(pair.alpha(), options);
+  return run(column, FractionalArms(plate, of_plate, options.step), FractionalArms(pair, of_pair, options.step),
+             options);
 }
 
 }  // namespace
@@ -81,7 +87,7 @@ ColumnResult run_column(const Column& column, const AnyLaw& plate, const AnyLaw&
           throw std::invalid_argument("pair = " + std::string(name(pair)) + ": must be of the plate's kind, " +
                                       std::string(name(plate)));
         if constexpr (std::same_as<Law, Fractional>) {
-          return run(column, with_arms(plate_law, options), with_arms(*pair_law, options), options);
+          return run_fractional(column, plate_law, *pair_law, options);
         } else {
           return run(column, plate_law, *pair_law, options);
         }

@@ -1,0 +1,71 @@
+#include "case.hpp"
+
+#include <ricochet/motion/event_driven_column.hpp>
+
+#include <console/exit.hpp>
+
+#include <algorithm>
+
+namespace ricochet::verify {
+
+namespace {
+
+ColumnResult run(const AnyLaw& plate, const AnyLaw& pair, std::size_t beads, const ColumnCase& c, ContactEnd end,
+                 const std::string& id) {
+  ColumnOptions options;
+  options.step = c.tcol / c.steps;
+  // Free flight costs nothing, so only contacts need a bound: far more than the waves that run up and down the column.
+  options.duration = 1e3 * static_cast<double>(beads) * (c.tcol + c.gap / fall_velocity);
+  options.end = end;
+  // Contacts in a column last as long as a wave takes to come back, about t_col/3 a bead.
+  const double contacts = c.memory_contacts > 0 ? c.memory_contacts : 20.0 + static_cast<double>(beads);
+  options.longest_memory = c.tcol * std::min(1e5 / c.steps, contacts);
+  options.memory_tolerance = c.memory_tolerance;
+  const ColumnResult result = run_column(equal_column(beads, bead_mass, c.gap, -fall_velocity), plate, pair, options);
+  if (result.end == ColumnEnd::out_of_time)
+    throw console::Failed("column of " + std::to_string(beads) + " beads, " + id + ": contacts are not over after " +
+                          std::to_string(result.steps) + " steps");
+  return result;
+}
+
+}  // namespace
+
+const std::vector<ColumnLaw>& column_laws() {
+  static const std::vector<ColumnLaw> laws{{"linear1", LawKind::linear, ContactEnd::overlap},
+                                           {"linear2", LawKind::linear, ContactEnd::force},
+                                           {"kuwabara-kono", LawKind::kuwabara_kono, ContactEnd::force},
+                                           {"tsuji", LawKind::tsuji, ContactEnd::force},
+                                           {"hysteretic", LawKind::hysteretic, ContactEnd::force},
+                                           {"fractional", LawKind::fractional, ContactEnd::force}};
+  return laws;
+}
+
+const ColumnLaw* find_column_law(const std::string& id) {
+  const auto& laws = column_laws();
+  const auto found = std::find_if(laws.begin(), laws.end(), [&](const ColumnLaw& law) {
+    return id == law.id || (id == "linear" && law.end == ContactEnd::overlap);
+  });
+  return found == laws.end() ? nullptr : &*found;
+}
+
+ColumnResult run_case(const ColumnLaw& law, std::size_t beads, const ColumnCase& c) {
+  const AnyLaw plate = tuned_law(law.kind, c.tcol, c.en, {fall_velocity, bead_mass}, law.end);
+  const AnyLaw pair = tuned_law(law.kind, c.tcol, c.en, {fall_velocity, bead_mass / 2}, law.end);
+  return run(plate, pair, beads, c, law.end, law.id);
+}
+
+ColumnResult run_fractional(double alpha, std::size_t beads, const ColumnCase& c) {
+  return run(tuned_fractional(alpha, c.tcol, bead_mass), tuned_fractional(alpha, c.tcol, bead_mass / 2), beads, c,
+             ContactEnd::force, "fractional");
+}
+
+std::optional<double> event_driven_share(std::size_t beads, const ColumnCase& c) {
+  // Without collapse nc beads meet some nc² times.
+  const std::size_t limit = 100 * beads * beads;
+  const EventDrivenResult hard =
+      event_driven_column(equal_column(beads, bead_mass, std::max(c.gap, 1e-9), -fall_velocity), c.en, limit);
+  if (hard.status == EventDrivenResult::Status::collapsed) return std::nullopt;
+  return 1 - hard.energy_ratio;
+}
+
+}  // namespace ricochet::verify

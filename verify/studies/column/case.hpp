@@ -1,0 +1,51 @@
+#pragma once
+
+#include <ricochet/motion/column.hpp>
+#include <ricochet/motion/tuned_law.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ricochet::verify {
+
+/// The paper's Fig. 6: beads of r = 1.5e-3 m, m = 1.41e-5 kg stacked over a plate, all falling at 0.5 m/s, no gravity.
+/// Every contact, of a pair and of the plate, is made for the same t_col and e_n.
+struct ColumnCase {
+  double gap = 1e-6;   ///< under each bead [m]; the print is illegible, about this
+  double en = 0.945;
+  double tcol = 1e-4;  ///< [s]
+  int steps = 200;     ///< a t_col
+  double memory_tolerance = 1e-6;  ///< of the fractional law's kernel
+  double memory_contacts = 0;      ///< its longest time [t_col]; 0: 20 + the number of beads
+};
+
+inline constexpr double bead_mass = 1.41e-5, fall_velocity = 0.5;  // [kg], [m/s]
+
+/// A law as Fig. 6 names it.
+struct ColumnLaw {
+  const char* id;
+  LawKind kind;
+  ContactEnd end;
+};
+
+/// linear1, linear2, kuwabara-kono, tsuji, hysteretic, fractional.
+const std::vector<ColumnLaw>& column_laws();
+
+/// By id, and "linear" for linear1; nullptr for another word.
+const ColumnLaw* find_column_law(const std::string& id);
+
+/// Runs `beads` beads with the law made for the case. Throws console::Failed if contacts are not over in the time
+/// allowed.
+ColumnResult run_case(const ColumnLaw& law, std::size_t beads, const ColumnCase& c);
+
+/// The same with the fractional law of another conversion degree, at the case's t_col; e_n is what α makes of it.
+ColumnResult run_fractional(double alpha, std::size_t beads, const ColumnCase& c);
+
+/// Dissipated share (62) of the event-driven column; nothing if it collapses.
+std::optional<double> event_driven_share(std::size_t beads, const ColumnCase& c);
+
+/// Dissipated share (62).
+inline double share(const ColumnResult& result) { return 1 - result.energy_ratio; }
+
+}  // namespace ricochet::verify
