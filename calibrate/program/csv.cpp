@@ -54,7 +54,7 @@ console::Table csv_of(const Report& report) {
     std::vector<Cell> row(columns.size(), console::blank());
     row[0] = std::string(text(missed.law));
     row[1] = std::string(text(missed.end));
-    row[2] = "infeasible: " + explained(missed, report.job.target);
+    row[2] = "infeasible: " + explained(missed);
     table.row(row);
   }
   return table;

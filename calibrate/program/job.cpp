@@ -27,7 +27,7 @@ double positive(const char* flag, double value) {
 
 /// The positive value of an option that must have been given.
 double needed(const char* flag, const std::optional<double>& value, const char* what) {
-  if (!value) throw BadInput(std::string(flag) + ": missing: must be " + what);
+  if (!value) throw BadInput(std::string(flag) + ": missing: must be given, " + what);
   return positive(flag, *value);
 }
 
@@ -45,8 +45,8 @@ bool speaks_of_spheres(const Options& o) {
 
 /// m₁m₂/(m₁+m₂), or the sphere's mass against a wall.
 double mass_of_spheres(const Options& o, Job& job) {
-  const double radius = needed("--radius", o.radius, "given with --density [m], > 0");
-  const double density = needed("--density", o.density, "given with --radius [kg/m^3], > 0");
+  const double radius = needed("--radius", o.radius, "a radius [m], > 0, with --density, --radius2, --density2 or --wall");
+  const double density = needed("--density", o.density, "a density [kg/m^3], > 0, with --radius");
   const double mass = sphere_mass(radius, density);
   job.radius = radius;
   job.radius_eff = radius;
@@ -82,7 +82,7 @@ double mass_eff(const Options& o, Job& job) {
 
 Target target_of(const Options& o, Job& job) {
   const double tcol = needed("--tcol", o.tcol, "a collision time [s], > 0");
-  if (!o.en) throw BadInput("--en: missing: must be a restitution in (0, 1]");
+  if (!o.en) throw BadInput("--en: missing: must be given, a restitution in (0, 1]");
   if (!(*o.en > 0 && *o.en <= 1)) throw BadInput("--en", shortest(*o.en), "in (0, 1]");
   if (!o.velocity) job.assumptions.push_back("impact velocity " + shortest(default_velocity) + " m/s (--velocity)");
   const double velocity = positive("--velocity", o.velocity.value_or(default_velocity));

@@ -10,6 +10,10 @@ using namespace ricochet::calibration;
 
 namespace {
 
+std::string lone_failure(const Infeasible& missed) {
+  return "--law " + std::string(text(missed.law)) + " --end " + std::string(text(missed.end)) + ": " + explained(missed);
+}
+
 console::Exit work(Options& options) {
   options.settings.method = options.method == "nlopt" ? Method::nlopt : Method::direct;
   const Report report = run(job_of(options), options.settings);
@@ -17,7 +21,7 @@ console::Exit work(Options& options) {
                                                             : exported(report, options.engine, options.output.format));
   // Other laws that did reach the target answer the question; only a lone law that cannot is an error.
   if (report.results.empty())
-    throw console::Unreachable(explained(report.infeasible.front(), report.job.target));
+    throw console::Unreachable(lone_failure(report.infeasible.front()));
   return console::Exit::done;
 }
 

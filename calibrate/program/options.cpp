@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 namespace ricochet::calibration {
 namespace {
 
@@ -15,12 +17,12 @@ std::string spelled(const std::vector<std::string>& names) {
 void add_choice(CLI::App& app, const std::string& flag, std::string& target, std::vector<std::string> names,
                 const std::string& description) {
   const std::string list = spelled(names);
-  app.add_option(flag, target, description + ": " + list)
-      ->check([flag, list, names](const std::string& value) {
-        for (const auto& name : names)
-          if (name == value) return std::string();
-        return flag + " = " + value + ": must be one of " + list;
-      });
+  const auto read = [&target, flag, list, names](const std::string& value) {
+    if (std::find(names.begin(), names.end(), value) == names.end())
+      throw CLI::ValidationError(flag + " = " + value + ": must be one of " + list);
+    target = value;
+  };
+  app.add_option_function<std::string>(flag, read, description + ": " + list)->type_name("NAME");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace ricochet::calibration {
 namespace {
 
 Infeasible not_offered(LawName law) {
-  return {law, ContactEnd::overlap, "the law is calibrated for a contact ended by force only", "", 0, 0};
+  return {law, ContactEnd::overlap, "the law is calibrated for a contact ended by force only", "", 0, 0, 0};
 }
 
 }  // namespace
@@ -22,15 +22,13 @@ Report run(const Job& job, const Settings& settings) {
   return report;
 }
 
-std::string explained(const Infeasible& missed, const Target& target) {
-  const std::string law = std::string(text(missed.law)) + " ended by " + std::string(text(missed.end));
-  if (missed.quantity.empty()) return law + ": " + missed.reason;
+std::string explained(const Infeasible& missed) {
+  if (missed.quantity.empty()) return missed.reason;
   using console::significant;
   const std::string range = missed.lowest == missed.highest
-                                ? significant(missed.lowest, 10)
+                                ? console::shortest(missed.lowest)
                                 : "in [" + significant(missed.lowest, 6) + ", " + significant(missed.highest, 6) + "]";
-  const std::string value = missed.quantity == "en" ? " = " + console::shortest(target.en) : "";
-  return law + ": " + missed.quantity + value + ": must be " + range + ": " + missed.reason;
+  return missed.quantity + " = " + console::shortest(missed.asked) + ": must be " + range + ": " + missed.reason;
 }
 
 std::string render(const Report& report, console::Format format) {

@@ -19,7 +19,7 @@ struct Report {
 Report run(const Job& job, const Settings& settings);
 
 /// "en = 0.01: must be in [0.2, 1]: <why>"
-std::string explained(const Infeasible& missed, const Target& target);
+std::string explained(const Infeasible& missed);
 
 /// The laws found in the language of `engine`, as one file to include or as JSON. Throws console::BadInput for another
 /// format.

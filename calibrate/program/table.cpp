@@ -70,7 +70,7 @@ Table check_table(const Report& report) {
 Table infeasible_table(const Report& report) {
   Table table({{"law"}, {"end"}, {"why"}}, "Out of reach");
   for (const auto& missed : report.infeasible)
-    table.row({std::string(text(missed.law)), std::string(text(missed.end)), explained(missed, report.job.target)});
+    table.row({std::string(text(missed.law)), std::string(text(missed.end)), explained(missed)});
   return table;
 }
 

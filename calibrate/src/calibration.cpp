@@ -11,13 +11,18 @@ namespace {
 
 using detail::require;
 
+/// SI values whose powers and products stay within the range of a double.
+void require_ordinary(const char* name, double value) {
+  require(value >= 1e-30 && value <= 1e30, name, value, "in [1e-30, 1e30]");
+}
+
 void require_request(const Request& request, const Settings& settings) {
   const auto& [tcol, en, impact] = request.target;
-  require(tcol >= 1e-30 && tcol <= 1e30, "tcol", tcol, "in [1e-30, 1e30] s");
+  require_ordinary("tcol", tcol);
   require(en > 0 && en <= 1, "en", en, "in (0, 1]");
-  detail::require_positive("velocity", impact.velocity);
-  detail::require_positive("mass_eff", impact.mass_eff);
-  if (request.stiffness) detail::require_positive("stiffness", *request.stiffness);
+  require_ordinary("velocity", impact.velocity);
+  require_ordinary("mass_eff", impact.mass_eff);
+  if (request.stiffness) require_ordinary("stiffness", *request.stiffness);
   require(settings.tolerance >= 1e-11 && settings.tolerance <= 0.1, "tolerance", settings.tolerance, "in [1e-11, 0.1]");
   const auto& known = algorithms();
   if (std::find(known.begin(), known.end(), settings.algorithm) == known.end()) {
@@ -55,23 +60,33 @@ Infeasible out_of_reach(const Request& request, double tolerance) {
     const double middle = 0.5 * (missed + reached);
     (reduced(request, std::exp(middle), tolerance) ? reached : missed) = middle;
   }
-  return {request.law, request.end, "what the law can reach to the tolerance when the contact ends so", "en",
-          std::exp(reached), 1};
+  return {request.law, request.end, "nearer to the end of its range, rounding keeps the law from the tolerance", "en",
+          request.target.en, std::exp(reached), 1};
+}
+
+/// The k that would give c^α k^{1−α} its value alone, at α = 0 [kg/s²].
+double stiffness_alone(const Request& request, const Fractional& scaled) {
+  return scaled.coefficient() * request.target.impact.mass_eff / (request.target.tcol * request.target.tcol);
+}
+
+/// Can the held k go with some c? A spring (α = 0) leaves it no choice.
+bool fits(const Request& request, const AnyLaw& scaled, double held, double tolerance) {
+  const auto* law = std::get_if<Fractional>(&scaled);
+  return !law || law->alpha() > 0 || std::abs(held / stiffness_alone(request, *law) - 1) <= tolerance;
 }
 
 /// What the fractional law's held k must be for c^α k^{1−α} to take the value that the target asks for.
-Infeasible unfit_stiffness(const Request& request, const Fractional& scaled) {
-  const double tcol = request.target.tcol, alpha = scaled.alpha();
-  const double elastic = scaled.coefficient() * request.target.impact.mass_eff / (tcol * tcol);
+Infeasible unfit_stiffness(const Request& request, const Fractional& scaled, double held) {
+  const double tcol = request.target.tcol, alpha = scaled.alpha(), elastic = stiffness_alone(request, scaled);
   if (alpha == 0)
     return {request.law, request.end, "at en = 1 the law is a spring (alpha = 0) and tcol alone fixes its k", "stiffness",
-            elastic, elastic};
+            held, elastic, elastic};
   // ln c = ln t + ln(elastic)/α + (1 − 1/α) ln k falls with k, and must stay within the range of a double.
   const auto stiffness_at = [&](double log_c) {
     return std::exp((log_c - std::log(tcol) - std::log(elastic) / alpha) / (1 - 1 / alpha));
   };
   return {request.law, request.end, "the c that goes with the k to hold is not a number that a double can carry",
-          "stiffness", stiffness_at(700), stiffness_at(-700)};
+          "stiffness", held, stiffness_at(700), stiffness_at(-700)};
 }
 
 double greatest_relative_difference(const AnyLaw& law, const AnyLaw& other) {
@@ -122,7 +137,8 @@ Outcome calibrate(const Request& request, const Settings& settings) {
   const auto& other = settings.method == Method::nlopt ? *direct : found;
   const auto law = in_si(scaled_law(request.law, chosen.x), request.target, held);
   const auto cross = in_si(scaled_law(request.law, other.x), request.target, held);
-  if (!law || !cross) return unfit_stiffness(request, std::get<Fractional>(scaled_law(request.law, chosen.x)));
+  if (!law || !cross || !fits(request, scaled_law(request.law, direct->x), held, settings.tolerance))
+    return unfit_stiffness(request, std::get<Fractional>(scaled_law(request.law, chosen.x)), held);
   return checked(request, settings, *law, chosen, greatest_relative_difference(*law, *cross));
 }
 

@@ -82,9 +82,9 @@ struct Infeasible {
   LawName law;
   ContactEnd end;
   std::string reason;
-  /// The quantity that is out of range ("en", "stiffness") and the range computed for it; empty: this end is not offered.
+  /// What is out of range ("en", "stiffness"), its value and the range computed for it; empty: this end is not offered.
   std::string quantity;
-  double lowest = 0, highest = 0;
+  double asked = 0, lowest = 0, highest = 0;
 };
 
 using Outcome = std::variant<Calibration, Infeasible>;

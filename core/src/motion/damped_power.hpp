@@ -26,6 +26,7 @@ struct DampedPower {
     return product;
   }
 
+  bool elastic() const noexcept { return gamma == 0; }
   /// The force without its factor y^Q: has the force's zero, and no other.
   double reduced_force(const State& s) const noexcept { return power(s[0], R) + gamma * s[1]; }
   double force(const State& s) const noexcept { return power(s[0], Q) * reduced_force(s); }

@@ -124,14 +124,14 @@ void note_extremes(Collision& out, const Motion& motion, Steps<Motion>& steps, d
   }
 }
 
-/// Ends the collision in `state`, at the end that was asked for.
+/// Ends the collision in `state`, at the end that was asked for. An elastic contact loses force and overlap together.
 template <class Motion>
-void end_at(Collision& out, const typename Motion::State& state, ContactEnd end) {
+void end_at(Collision& out, const Motion& motion, const typename Motion::State& state, ContactEnd end) {
   const bool by_force = end == ContactEnd::force;
   out.status = by_force ? CollisionStatus::ended_by_force : CollisionStatus::ended_by_overlap;
   out.tcol = state[2];
   out.en = -state[1];
-  out.overlap_end = by_force ? Motion::overlap(state) : 0;
+  out.overlap_end = by_force && !motion.elastic() ? Motion::overlap(state) : 0;
 }
 
 /// The end, if the last step holds it. The step is first cut where the overlap returns to zero: the polynomial motion
@@ -139,7 +139,7 @@ void end_at(Collision& out, const typename Motion::State& state, ContactEnd end)
 template <class Motion>
 std::optional<double> end_in_step(const Motion& motion, Steps<Motion>& steps, ContactEnd end) {
   const auto apart = steps.fall(position, steps.taken());
-  if (end == ContactEnd::overlap || motion.gamma == 0) return apart;
+  if (end == ContactEnd::overlap || motion.elastic()) return apart;
   const double limit = apart.value_or(steps.taken());
   const auto slack = steps.fall([&](const auto& s) { return motion.reduced_force(s); }, limit);
   return slack ? slack : apart;
@@ -155,7 +155,7 @@ Collision follow(const Motion& motion, const CollideOptions& options) {
   while (steps.advance()) {
     const auto end = end_in_step(motion, steps, options.end);
     note_extremes(out, motion, steps, end.value_or(steps.taken()));
-    if (end) end_at<Motion>(out, steps.at(*end), options.end);
+    if (end) end_at(out, motion, steps.at(*end), options.end);
     out.evaluations = steps.evaluations();
     const bool creeps = motion.reduced_force(steps.after()) < 0 && std::abs(steps.after()[1]) < creeping;
     if (end || creeps) return out;
@@ -175,6 +175,7 @@ namespace {
 struct HystereticMotion {
   using State = std::array<double, 3>;
 
+  bool elastic() const { return law.k1() == law.k2(); }
   static double overlap(const State& s) { return s[0]; }
   double force(const State& s) const { return law.force({s[0], s[1]}, memory); }
   void operator()(const State& s, State& rate, double) const { rate = {s[1], -force(s), 1.0}; }
@@ -205,7 +206,7 @@ bool unload(const HystereticMotion& motion, Steps<HystereticMotion>& steps, Cont
   while (steps.advance()) {
     const auto inwards = steps.fall([](const auto& s) { return -s[1]; }, steps.taken());
     const auto found = steps.fall(value, inwards.value_or(steps.taken()));
-    if (found) end_at<HystereticMotion>(out, steps.at(*found), end);
+    if (found) end_at(out, motion, steps.at(*found), end);
     if (found || inwards) return true;
   }
   return false;

@@ -1,0 +1,143 @@
+// Every command line in the documents is run, and what it prints is compared. After a wanted change of output:
+//   RICOCHET_UPDATE_DOCS=1 build/release/bin/test_docs
+// rewrites the documents; read the difference before committing it.
+
+#include "../console/temporary_folder.hpp"
+#include "console_blocks.hpp"
+
+#include <sys/wait.h>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cstdio>
+#include <regex>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root = RICOCHET_SOURCE_DIR;
+
+std::vector<fs::path> documents() {
+  std::vector<fs::path> found;
+  for (const char* name : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"})
+    if (fs::exists(root / name)) found.push_back(root / name);
+  for (const auto& entry : fs::recursive_directory_iterator(root / "docs"))
+    if (entry.path().extension() == ".md") found.push_back(entry.path());
+  return found;
+}
+
+/// The command as this test runs it: the script's set-up left out, so that the programs just built are what runs. Empty
+/// for what is not a command of ours, or would run these tests again.
+std::string runnable(const std::string& command) {
+  static const std::regex program(R"(^(\./ricochet )?(calibrate|verify|simulate) .*)");
+  if (!std::regex_match(command, program)) return {};
+  return std::regex_replace(command, std::regex(R"((^|[;|&] *)\./ricochet )"), "$1");
+}
+
+struct Ran {
+  int code;
+  std::vector<std::string> lines;
+};
+
+Ran run(const std::string& command, const TemporaryFolder& folder) {
+  const std::string script = folder / ".command";
+  std::ofstream(script) << "cd '" << folder.path().string() << "'\nexport LC_ALL=C.UTF-8 PATH='" << RICOCHET_BIN
+                        << "':\"$PATH\"\nexec 2>&1 </dev/null\n" << command << "\n";
+  std::FILE* pipe = ::popen(("bash " + script).c_str(), "r");
+  std::string printed;
+  std::array<char, 4096> chunk{};
+  for (std::size_t n = 0; (n = std::fread(chunk.data(), 1, chunk.size(), pipe)) > 0;) printed.append(chunk.data(), n);
+  const int status = ::pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, lines_of(printed)};
+}
+
+std::vector<std::string> slice(const std::vector<std::string>& lines, std::size_t first, std::size_t last) {
+  return {lines.begin() + static_cast<std::ptrdiff_t>(first), lines.begin() + static_cast<std::ptrdiff_t>(last)};
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+/// Replaces what is documented by what was printed, as far as a closing "…" lets it show.
+void update(std::vector<std::string>& lines, const Command& command, std::vector<std::string> printed) {
+  const auto documented = slice(lines, command.first_output, command.last_output);
+  if (!documented.empty() && documented.back() == "…" && documented.size() <= printed.size()) {
+    printed.resize(documented.size() - 1);
+    printed.push_back("…");
+  }
+  const auto at = [&](std::size_t i) { return lines.begin() + static_cast<std::ptrdiff_t>(i); };
+  lines.erase(at(command.first_output), at(command.last_output));
+  lines.insert(at(command.first_output), printed.begin(), printed.end());
+}
+
+}  // namespace
+
+TEST_CASE("every command in the documents does what they say") {
+  const bool updating = std::getenv("RICOCHET_UPDATE_DOCS");
+  for (const fs::path& document : documents()) {
+    const TemporaryFolder folder;  // one a document: a command may use what an earlier one wrote
+    for (const char* name : {"data", "engines"})
+      if (fs::exists(root / name)) fs::create_directory_symlink(root / name, folder / name);
+    const auto lines = lines_of(read_file(document));
+    auto updated = lines;
+    const auto commands = console_commands(lines);
+    std::vector<std::pair<Command, std::vector<std::string>>> changed;
+    for (const Command& command : commands) {
+      const std::string text = runnable(command.text);
+      if (text.empty()) continue;
+      const Ran ran = run(text, folder);
+      INFO(document.string() << ":" << command.first_output << ": $ " << command.text << "\nprints\n"
+                             << joined(ran.lines) << "To put this into the document: RICOCHET_UPDATE_DOCS=1 "
+                             << RICOCHET_BIN << "/test_docs");
+      CHECK(ran.code == command.exit_code);
+      const auto documented = slice(lines, command.first_output, command.last_output);
+      if (documented.empty() || matches(documented, ran.lines)) continue;
+      if (updating)
+        changed.emplace_back(command, ran.lines);
+      else
+        FAIL_CHECK("the document says\n" << joined(documented));
+    }
+    for (auto change = changed.rbegin(); change != changed.rend(); ++change)
+      update(updated, change->first, change->second);
+    if (!changed.empty()) std::ofstream(document) << joined(updated);
+  }
+}
+
+TEST_CASE("the README's C++ is the example that the installed library builds") {
+  const std::string readme = read_file(root / "README.md");
+  CHECK(readme.find("```cpp\n" + read_file(root / "docs/examples/restitution.cpp") + "```\n") != std::string::npos);
+}
+
+TEST_CASE("links between the documents lead somewhere") {
+  static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
+  for (const fs::path& document : documents()) {
+    const std::string text = read_file(document);
+    for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
+      INFO(document.string() << ": " << (*match)[1].str());
+      CHECK(fs::exists(document.parent_path() / (*match)[1].str()));
+    }
+  }
+}
+
+TEST_CASE("console blocks are read as they are meant") {
+  const auto lines = lines_of("text\n```console\n$ a \\\n  b\nout\n\nmore\n$ echo $?\n2\n$ c\n```\n$ no\n");
+  const auto commands = console_commands(lines);
+  REQUIRE(commands.size() == 2);
+  CHECK(commands[0].text == "a   b");
+  CHECK(slice(lines, commands[0].first_output, commands[0].last_output) ==
+        std::vector<std::string>{"out", "", "more"});
+  CHECK(commands[0].exit_code == 2);
+  CHECK(commands[1].exit_code == 0);
+  CHECK_THROWS(console_commands(lines_of("```console\n$ a\n")));
+  CHECK(matches({"a", "b"}, {"a", "b"}));
+  CHECK_FALSE(matches({"a"}, {"a", "b"}));
+  CHECK_FALSE(matches({"a", "b"}, {"a"}));
+  CHECK(matches({"took … s", "…"}, {"took 3.2 s", "x", "y"}));
+  CHECK_FALSE(matches({"took … s"}, {"took 3.2 m"}));
+  CHECK(matches({"…", "end"}, {"x", "end", "end"}));
+}
