@@ -1,0 +1,72 @@
+#pragma once
+
+#include <ricochet/contact/fractional.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace ricochet::liggghts {
+
+/// One contact under the fractional law (30) with unit coefficient (c^α k^{1−α} = 1), driven as a velocity-Verlet
+/// engine drives it: once a step, with the overlap ζ_n at the step's end and the rate of half a step before,
+///   ζ'_{n−1/2} = (ζ_n − ζ_{n−1})/dt.
+/// Memory is kinematic: a pair of grains multiplies the result by its own coefficient, so that one object serves all
+/// pairs of two materials whatever their masses.
+///
+/// Scheme (derivation in docs/liggghts.md), second order in dt for the velocity, the overlap and the force:
+/// - the rate over a step is taken as linear, with the exact mean (ζ_n − ζ_{n−1})/dt and the end value
+///   (3 ζ'_{n−1/2} − ζ'_{n−3/2})/2; the arms are stepped exactly for it;
+/// - a contact starts at t_b = t_n − θ dt, θ = ζ_n/(ζ'_{n−1/2} dt). The force rises as (t − t_b)^{1−α}, which the sum of
+///   the engine's kicks integrates to order 2 − α only; the first kick carries the missing part (see start_weight).
+///
+/// What a contact remembers is `size` doubles, all zero before the first touch, in the engine's own history: they
+/// migrate and are written to restart files by the engine.
+class HalfStepContact {
+ public:
+  static constexpr std::size_t arm_slots = 12;
+  static constexpr std::size_t size = 4 + arm_slots;
+  /// History as an engine sees it: step of the last touch plus one (0: never), ζ and ζ' there, D^α ζ there, arms.
+  enum Slot : std::size_t { stamp, overlap, rate, force, arms };
+
+  /// 0 ≤ alpha < 1; dt [s] > 0; memory [s] ≥ dt: a contact that lasts longer is carried on by the kernel's spring.
+  /// Throws std::invalid_argument otherwise.
+  HalfStepContact(double alpha, double dt, double memory);
+
+  double alpha() const noexcept { return law_.law().alpha(); }
+  std::size_t arm_count() const noexcept { return law_.arms(); }
+  double kernel_error() const noexcept { return kernel_.error(); }
+
+  /// Whether `history` holds a touch at the step before `step` (continuing) or at `step` itself.
+  static bool continues(const double* history, double step) noexcept { return history[stamp] == step; }
+  static bool is_at(const double* history, double step) noexcept { return history[stamp] == step + 1; }
+
+  /// Steps the contact to the end of step number `step`, ζ = `now` [m] > 0, ζ' = `half_step_rate` half a step before.
+  /// A history that was not touched in the step before is stale (the grains have been apart) and starts anew.
+  void advance(double* history, double step, double now, double half_step_rate, double dt) const noexcept;
+
+  /// max(0, D^α ζ) [m s^{−α}] at the last touch.
+  static double repulsion(const double* history) noexcept { return history[force] > 0 ? history[force] : 0; }
+
+  /// Energy that the springs hold [m² s^{−α}], per unit coefficient, while the contact repels; else 0.
+  double stored_energy(const double* history) const noexcept;
+  /// Energy lost [m² s^{−α}] over the step of length dt between two states of one contact, per unit coefficient: what
+  /// the dashpots burn, by the trapezoid; what the springs still hold when repulsion ends is lost there. The work of
+  /// the repulsion is this plus the change of stored_energy, to second order.
+  double dissipated_energy(const double* before, const double* after, double dt) const noexcept;
+
+ private:
+  void start(double* history, double now, double half_step_rate, double dt) const noexcept;
+  void go_on(double* history, double now, double dt) const noexcept;
+  FractionalArms::Memory memory_of(const double* history) const noexcept;
+
+  MemoryKernel kernel_;
+  FractionalArms law_;
+};
+
+/// Weight w(θ) of the first kick after a touch that lies θ of a step back, 0 < θ ≤ 1: a force (t − t_b)^p, summed as
+/// dt Σ_{k≥0} F((k + θ) dt) with w(θ) dt^p in place of the first F, has no start error of order 1 + p.
+/// w(θ) = −ζ(−p, 1+θ), the Hurwitz zeta function, by Euler–Maclaurin; |error| < 1e-7 for 0 ≤ p ≤ 1.
+/// Source: I. Navot, J. Math. and Phys. 40, 271 (1961).
+double start_weight(double p, double theta) noexcept;
+
+}  // namespace ricochet::liggghts

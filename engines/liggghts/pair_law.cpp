@@ -1,0 +1,43 @@
+#include "pair_law.hpp"
+
+#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/detail/require.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace ricochet::liggghts {
+
+PairLaw::PairLaw(double alpha, double dt, double memory) : contact_(alpha, dt, memory) {
+  const auto ideal = fractional_contact(alpha);
+  z_star_ = ideal.z_star;
+  en_ = ideal.en;
+}
+
+PairLaw PairLaw::from_target(double tcol, double en, double dt, double memory) {
+  detail::require_positive("collisionTime", tcol);
+  detail::require(en > 0 && en <= 1, "coefficientRestitution", en, "0 < en <= 1");
+  PairLaw law(conversion_degree(en), dt, memory);
+  law.tcol_ = tcol;
+  law.per_mass_ = law.z_star_ / std::pow(tcol, 2 - law.contact_.alpha());
+  return law;
+}
+
+PairLaw PairLaw::from_parameters(double k, double c, double alpha, double dt, double memory) {
+  PairLaw law(alpha, dt, memory);
+  law.coefficient_ = Fractional(k, c, alpha).coefficient();
+  return law;
+}
+
+double PairLaw::tcol(double mass_eff) const noexcept {
+  return tcol_ > 0 ? tcol_ : std::pow(z_star_ * mass_eff / coefficient_, 1 / (2 - contact_.alpha()));
+}
+
+LinearEquivalent PairLaw::linear_equivalent(double mass_eff) const noexcept {
+  const double time = tcol(mass_eff);
+  const double log_en = std::log(en_);
+  return {mass_eff * (std::numbers::pi * std::numbers::pi + log_en * log_en) / (time * time),
+          -2 * mass_eff * log_en / time};
+}
+
+}  // namespace ricochet::liggghts

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "half_step_contact.hpp"
+
+namespace ricochet::liggghts {
+
+/// Stiffness [kg/s²] and damping [kg/s] of the linear contact with the same collision time and restitution. The
+/// engine's tangential and rolling models scale theirs by these.
+struct LinearEquivalent {
+  double stiffness;
+  double damping;
+};
+
+/// The fractional law between grains of two materials: the contact that all their pairs share and what turns it into
+/// one pair's force. Immutable.
+class PairLaw {
+ public:
+  /// Every pair has the collision time tcol [s] and the restitution en, 0 < en ≤ 1: α = conversion_degree(en) and
+  /// A = z*(α)/tcol^{2−α}, so the coefficient m A is proportional to the pair's effective mass.
+  /// `dt`, `memory` as for HalfStepContact. Throws std::invalid_argument.
+  static PairLaw from_target(double tcol, double en, double dt, double memory);
+
+  /// Every pair has the coefficient c^α k^{1−α} of Eq. (30), k [kg/s²], c [kg/s], 0 ≤ α < 1, whatever its mass.
+  static PairLaw from_parameters(double k, double c, double alpha, double dt, double memory);
+
+  const HalfStepContact& contact() const noexcept { return contact_; }
+  /// c^α k^{1−α} [kg s^{α−2}] of a pair of effective mass `mass_eff` [kg].
+  double coefficient(double mass_eff) const noexcept {
+    return tcol_ > 0 ? per_mass_ * mass_eff : coefficient_;
+  }
+  double tcol(double mass_eff) const noexcept;
+  double en() const noexcept { return en_; }
+  LinearEquivalent linear_equivalent(double mass_eff) const noexcept;
+
+ private:
+  PairLaw(double alpha, double dt, double memory);
+
+  HalfStepContact contact_;
+  double z_star_ = 0, en_ = 0;
+  double tcol_ = 0, per_mass_ = 0;  // from a target
+  double coefficient_ = 0;          // from parameters
+};
+
+}  // namespace ricochet::liggghts

@@ -1,0 +1,5 @@
+// LIGGGHTS includes this list several times, each time for another macro: no include guard.
+#include "rolling_model_cdt.h"
+#include "rolling_model_epsd.h"
+#include "rolling_model_epsd2.h"
+#include "rolling_model_epsd3.h"
