@@ -10,14 +10,13 @@ namespace ricochet::liggghts {
 
 namespace {
 
-// The arms must fit the history's fixed slots: the sharpest kernel that does is taken. The kernel starts at a quarter
-// of a step: below its shortest time the kernel is only right in the mean, an error of the force of order 2 − α in it.
+// The arms must fit the history's fixed slots: of the tolerances tried, the sharpest that does is taken.
 MemoryKernel fitting_kernel(double alpha, double dt, double memory) {
   detail::require(alpha >= 0 && alpha < 1, "alpha", alpha, "0 <= alpha < 1 (a contact that ends)");
   detail::require_positive("dt", dt);
   detail::require(std::isfinite(memory) && memory >= dt, "memory", memory, "at least one time step");
-  for (double tolerance = 1e-9; tolerance < 0.02; tolerance *= 3) {
-    MemoryKernel kernel = memory_kernel(alpha, dt / 4, memory, tolerance);
+  for (double tolerance : {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
+    MemoryKernel kernel = memory_kernel(alpha, dt, memory, tolerance);
     if (kernel.arms().size() <= HalfStepContact::arm_slots) return kernel;
   }
   detail::reject("memory/dt", memory / dt, "short enough for 12 arms");

@@ -20,6 +20,8 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "fix_insert_stream.h"
+#include "granular_pair_style.h"
+#include "granular_wall.h"
 #include "global_properties.h"
 #include "contact_models.h"
 #include "pair_gran_base.h"

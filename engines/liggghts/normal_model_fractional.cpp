@@ -8,6 +8,7 @@
 
 namespace LIGGGHTS::ContactModels {
 
+using ricochet::liggghts::ContactFor;
 using ricochet::liggghts::EnergyTally;
 using ricochet::liggghts::HalfStepContact;
 using ricochet::liggghts::PairLaw;
@@ -16,7 +17,7 @@ namespace {
 
 constexpr const char* caller = "model fractional";
 // A contact that lasts longer than this many steps is carried on by the kernel's spring, unless memoryTime says more.
-constexpr double default_memory_steps = 1e4;
+constexpr double default_memory_steps = 1e3;
 
 // The registry wants a plain function for each property, and hands it no name.
 MatrixProperty* collision_time(PropertyRegistry& registry, const char* who, bool) {
@@ -96,18 +97,21 @@ void NormalModel<FRACTIONAL>::read_properties() {
   else if (kernel_step_ != update->dt && comm->me == 0)
     error->warning(FLERR, "model fractional keeps the memory kernel chosen for the first run's time step");
   const double memory = memory_time_ > 0 ? memory_time_ : default_memory_steps * kernel_step_;
+  const auto contact_for = [&](double alpha) -> const HalfStepContact& {
+    return contacts_.try_emplace({alpha, memory}, alpha, kernel_step_, memory).first->second;
+  };
   try {
     laws_.clear();
     for (int i = 0; i < types_; ++i)
-      for (int j = 0; j < types_; ++j) laws_.push_back(read_pair(std::max(i, 1), std::max(j, 1), memory));
+      for (int j = 0; j < types_; ++j) laws_.push_back(read_pair(std::max(i, 1), std::max(j, 1), contact_for));
   } catch (const std::invalid_argument& misuse) {
     error->all(FLERR, (std::string(caller) + ": " + misuse.what()).c_str());
   }
 }
 
-PairLaw NormalModel<FRACTIONAL>::read_pair(int i, int j, double memory) const {
-  return tcol_ ? PairLaw::from_target(tcol_[i][j], en_[i][j], kernel_step_, memory)
-               : PairLaw::from_parameters(k_[i][j], c_[i][j], alpha_[i][j], kernel_step_, memory);
+PairLaw NormalModel<FRACTIONAL>::read_pair(int i, int j, const ContactFor& contact_for) const {
+  return tcol_ ? PairLaw::from_target(tcol_[i][j], en_[i][j], contact_for)
+               : PairLaw::from_parameters(k_[i][j], c_[i][j], alpha_[i][j], contact_for);
 }
 
 void NormalModel<FRACTIONAL>::beginPass(SurfacesIntersectData& pass, ForceData&, ForceData&) {

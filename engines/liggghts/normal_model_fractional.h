@@ -14,7 +14,9 @@ NORMAL_MODEL(FRACTIONAL, fractional, 20)
 #include "normal_model_base.h"
 #include "pair_law.hpp"
 
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace LIGGGHTS::ContactModels {
@@ -36,7 +38,7 @@ class NormalModel<FRACTIONAL> : public NormalModelBase {
 
  private:
   void read_properties();
-  ricochet::liggghts::PairLaw read_pair(int i, int j, double memory) const;
+  ricochet::liggghts::PairLaw read_pair(int i, int j, const ricochet::liggghts::ContactFor& contact_for) const;
   const ricochet::liggghts::PairLaw& law_of(int itype, int jtype) const { return laws_[itype * types_ + jtype]; }
   void advance(SurfacesIntersectData& pair, double* history, const ricochet::liggghts::PairLaw& law);
 
@@ -50,6 +52,7 @@ class NormalModel<FRACTIONAL> : public NormalModelBase {
 
   int types_ = 0;
   double kernel_step_ = 0;  // the time step that the arms were chosen for
+  std::map<std::pair<double, double>, ricochet::liggghts::HalfStepContact> contacts_;  // by α and memory
   std::vector<ricochet::liggghts::PairLaw> laws_;
   std::unique_ptr<ricochet::liggghts::EnergyTally> tally_;
 };

@@ -8,24 +8,25 @@
 
 namespace ricochet::liggghts {
 
-PairLaw::PairLaw(double alpha, double dt, double memory) : contact_(alpha, dt, memory) {
-  const auto ideal = fractional_contact(alpha);
+PairLaw::PairLaw(const HalfStepContact& contact) : contact_(contact) {
+  const auto ideal = fractional_contact(contact.alpha());
   z_star_ = ideal.z_star;
   en_ = ideal.en;
 }
 
-PairLaw PairLaw::from_target(double tcol, double en, double dt, double memory) {
+PairLaw PairLaw::from_target(double tcol, double en, const ContactFor& contact_for) {
   detail::require_positive("collisionTime", tcol);
   detail::require(en > 0 && en <= 1, "coefficientRestitution", en, "0 < en <= 1");
-  PairLaw law(conversion_degree(en), dt, memory);
+  PairLaw law(contact_for(conversion_degree(en)));
   law.tcol_ = tcol;
   law.per_mass_ = law.z_star_ / std::pow(tcol, 2 - law.contact_.alpha());
   return law;
 }
 
-PairLaw PairLaw::from_parameters(double k, double c, double alpha, double dt, double memory) {
-  PairLaw law(alpha, dt, memory);
-  law.coefficient_ = Fractional(k, c, alpha).coefficient();
+PairLaw PairLaw::from_parameters(double k, double c, double alpha, const ContactFor& contact_for) {
+  const double coefficient = Fractional(k, c, alpha).coefficient();
+  PairLaw law(contact_for(alpha));
+  law.coefficient_ = coefficient;
   return law;
 }
 

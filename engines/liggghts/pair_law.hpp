@@ -2,6 +2,8 @@
 
 #include "half_step_contact.hpp"
 
+#include <functional>
+
 namespace ricochet::liggghts {
 
 /// Stiffness [kg/s²] and damping [kg/s] of the linear contact with the same collision time and restitution. The
@@ -11,17 +13,20 @@ struct LinearEquivalent {
   double damping;
 };
 
+/// Finds the contact for a conversion degree; an engine keeps those it has made, as their kernels take a fit each.
+using ContactFor = std::function<const HalfStepContact&(double alpha)>;
+
 /// The fractional law between grains of two materials: the contact that all their pairs share and what turns it into
 /// one pair's force. Immutable.
 class PairLaw {
  public:
   /// Every pair has the collision time tcol [s] and the restitution en, 0 < en ≤ 1: α = conversion_degree(en) and
   /// A = z*(α)/tcol^{2−α}, so the coefficient m A is proportional to the pair's effective mass.
-  /// `dt`, `memory` as for HalfStepContact. Throws std::invalid_argument.
-  static PairLaw from_target(double tcol, double en, double dt, double memory);
+  /// Throws std::invalid_argument.
+  static PairLaw from_target(double tcol, double en, const ContactFor& contact_for);
 
   /// Every pair has the coefficient c^α k^{1−α} of Eq. (30), k [kg/s²], c [kg/s], 0 ≤ α < 1, whatever its mass.
-  static PairLaw from_parameters(double k, double c, double alpha, double dt, double memory);
+  static PairLaw from_parameters(double k, double c, double alpha, const ContactFor& contact_for);
 
   const HalfStepContact& contact() const noexcept { return contact_; }
   /// c^α k^{1−α} [kg s^{α−2}] of a pair of effective mass `mass_eff` [kg].
@@ -33,7 +38,7 @@ class PairLaw {
   LinearEquivalent linear_equivalent(double mass_eff) const noexcept;
 
  private:
-  PairLaw(double alpha, double dt, double memory);
+  explicit PairLaw(const HalfStepContact& contact);
 
   HalfStepContact contact_;
   double z_star_ = 0, en_ = 0;

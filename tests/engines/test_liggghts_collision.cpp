@@ -1,0 +1,112 @@
+#include "engines/liggghts_run.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace engines;
+
+namespace {
+
+constexpr double tcol = 1e-4;   // [s]
+constexpr double speed = 0.5;   // of approach [m/s]
+const std::vector<double> restitutions{0.10321844437376537578, 0.30019539516740188719, 0.59179664895313050924, 0.94151044467350612861};
+// Where in a step the grains touch, as fractions of a step: the error of a step depends on it.
+const std::vector<double> phases{0.03, 0.25, 0.5, 0.75, 0.97};
+const std::vector<int> steps_per_contact{25, 50, 100, 200};
+
+struct Errors {
+  std::vector<double> tcol, en;  // relative, largest over the phases, by steps_per_contact
+};
+
+// One file for all: every material meets itself at every phase, each pair with masses of its own.
+std::vector<Grain> grains_for(double dt, bool wall) {
+  std::vector<Grain> grains;
+  for (std::size_t m = 0; m < restitutions.size(); ++m)
+    for (std::size_t p = 0; p < phases.size(); ++p) {
+      const double gap = (3 + phases[p]) * speed * dt;
+      Grain a{.type = static_cast<int>(m + 1), .radius = 1e-3 + 2e-4 * p, .density = 1000 + 500. * m};
+      Grain b = a;
+      const double y = 0.005 * (m + 1), z = 0.005 * (p + 1);
+      b.radius = 1.5e-3;
+      a.position = {wall ? a.radius + gap : 0.01, y, z};
+      b.position = {0.01 + a.radius + b.radius + gap, y, z};
+      a.velocity = {wall ? -speed : speed / 2, 0, 0};
+      b.velocity = {-speed / 2, 0, 0};
+      grains.push_back(a);
+      if (!wall) grains.push_back(b);
+    }
+  return grains;
+}
+
+std::string materials() {
+  const std::size_t n = restitutions.size();
+  std::vector<std::vector<double>> en(n, std::vector<double>(n, 0.5));
+  for (std::size_t m = 0; m < n; ++m) en[m][m] = restitutions[m];
+  return pair_property("collisionTime", tcol, static_cast<int>(n)) + pair_property("coefficientRestitution", en);
+}
+
+// Time from the touch (known: the approach is free) to the zero of the force. The engine only has max(0, R): the zero
+// is where the parabola through the last three positive values ends.
+double contact_time(const std::vector<Frame>& frames, std::size_t grain, double phase, double dt) {
+  std::vector<double> force;
+  for (const Frame& frame : frames) force.push_back(std::fabs(frame.force[grain][0]));
+  const auto first = std::find_if(force.begin(), force.end(), [](double f) { return f > 0; });
+  const auto end = std::find(first, force.end(), 0.0);
+  const double f2 = end[-1], f1 = end[-2], f0 = end[-3];
+  const double slope = 1.5 * f2 - 2 * f1 + 0.5 * f0, bend = f2 - 2 * f1 + f0;  // per step, at f2
+  const double root = std::sqrt(std::max(0.0, slope * slope - 2 * bend * f2));
+  const double after = 2 * f2 / (-slope + root);
+  return (static_cast<double>(end - 1 - force.begin()) + after - 3 - phase) * dt;
+}
+
+std::vector<Errors> run_series(const std::string& name, bool wall, const std::string& wall_commands) {
+  std::vector<Errors> errors(restitutions.size());
+  const Box box{{wall ? -0.001 : 0, 0, 0}, {0.02, 0.025, 0.03}, "f f f", static_cast<int>(restitutions.size())};
+  for (int steps : steps_per_contact) {
+    const double dt = tcol / steps;
+    const Workplace place(name + "_" + std::to_string(steps));
+    const std::string deck = preamble(box) + place.create(grains_for(dt, wall), box) +
+                             "neighbor 0.0005 bin\n" + materials() +
+                             "pair_style gran model fractional\npair_coeff * *\n" + wall_commands +
+                             "fix move all nve/sphere\ntimestep " + number(dt) + "\n" + dump_command("dump") +
+                             "run " + std::to_string(steps + steps / 5 + 10) + "\n";
+    REQUIRE(place.run(deck) == 0);
+    const auto frames = place.frames("dump");
+    for (std::size_t m = 0; m < restitutions.size(); ++m) {
+      double worst_time = 0, worst_en = 0;
+      for (std::size_t p = 0; p < phases.size(); ++p) {
+        const std::size_t i = (m * phases.size() + p) * (wall ? 1 : 2);
+        const auto& v = frames.back().velocity;
+        const double en = (wall ? v[i][0] : v[i + 1][0] - v[i][0]) / speed;
+        worst_en = std::max(worst_en, std::fabs(en / restitutions[m] - 1));
+        worst_time = std::max(worst_time, std::fabs(contact_time(frames, i, phases[p], dt) / tcol - 1));
+      }
+      errors[m].en.push_back(worst_en);
+      errors[m].tcol.push_back(worst_time);
+    }
+  }
+  return errors;
+}
+
+void report_and_check(const std::string& title, const std::vector<Errors>& errors) {
+  std::printf("%s: relative error, largest over %zu phases\n%6s %10s", title.c_str(), phases.size(), "en", "");
+  for (int steps : steps_per_contact) std::printf("  tcol/%-4d", steps);
+  std::printf("  order\n");
+  for (std::size_t m = 0; m < errors.size(); ++m)
+    for (const auto& [what, series] : {std::pair{"tcol", &errors[m].tcol}, std::pair{"en", &errors[m].en}}) {
+      std::printf("%6g %10s", restitutions[m], what);
+      for (double e : *series) std::printf("  %9.2e", e);
+      const double order = std::log2(series->front() / series->back()) / std::log2(8.);
+      std::printf("  %5.2f\n", order);
+      CHECK((*series)[1] <= 1e-3);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a pair of grains reaches its collision time and restitution") {
+  report_and_check("pair", run_series("collision_pair", false, ""));
+}
