@@ -22,6 +22,20 @@ MemoryKernel fitting_kernel(double alpha, double dt, double memory) {
   detail::reject("memory/dt", memory / dt, "short enough for 12 arms");
 }
 
+// The rate half a step after the last of equally spaced ones.
+double rate_at_end(double last, double before, double oldest) {
+  return oldest == 0 ? 1.5 * last - 0.5 * before : (15 * last - 10 * before + 3 * oldest) / 8;
+}
+
+// A force that its last change would carry through zero within the next step is the first of a ramp, seen backwards
+// from its end: start_weight(1, θ), with θ of a step to go, in place of θ.
+double last_weighted(double force, double previous) {
+  const double fall = previous - force;
+  if (force <= 0 || force >= fall) return force;
+  const double theta = force / fall;
+  return fall * (theta * theta + theta + 1. / 6) / 2;
+}
+
 }  // namespace
 
 double start_weight(double p, double theta) noexcept {
@@ -63,18 +77,20 @@ void HalfStepContact::start(double* history, double now, double half_step_rate, 
   law_.advance(memory, {0, mean}, {now, mean}, theta * dt);
   std::copy_n(memory.elongation.begin(), arm_slots, history + arms);
   history[rate] = mean;
+  history[older_rate] = 0;
   history[force] = start_weight(p, theta) * mean * std::pow(dt, p) / std::tgamma(1 + p);
 }
 
 void HalfStepContact::go_on(double* history, double now, double dt) const noexcept {
   const double mean = (now - history[overlap]) / dt;
-  const double before = 0.5 * (mean + history[rate]);
-  const Approach after{now, 1.5 * mean - 0.5 * history[rate]};
+  const double end = rate_at_end(mean, history[rate], history[older_rate]);
+  const Approach after{now, end};
   FractionalArms::Memory memory = memory_of(history);
-  law_.advance(memory, {history[overlap], before}, after, dt);
+  law_.advance(memory, {history[overlap], 2 * mean - end}, after, dt);
   std::copy_n(memory.elongation.begin(), law_.arms(), history + arms);
+  history[older_rate] = history[rate];
   history[rate] = mean;
-  history[force] = law_.force(after, memory);
+  history[force] = last_weighted(law_.force(after, memory), history[force]);
 }
 
 double HalfStepContact::stored_energy(const double* history) const noexcept {

@@ -14,19 +14,21 @@ namespace ricochet::liggghts {
 /// pairs of two materials whatever their masses.
 ///
 /// Scheme (derivation in docs/liggghts.md), second order in dt for the velocity, the overlap and the force:
-/// - the rate over a step is taken as linear, with the exact mean (ζ_n − ζ_{n−1})/dt and the end value
-///   (3 ζ'_{n−1/2} − ζ'_{n−3/2})/2; the arms are stepped exactly for it;
+/// - the rate at the step's end is extrapolated from the last three half-step rates; the arms are stepped exactly for
+///   the rate that is linear over the step, has this end and the exact mean (ζ_n − ζ_{n−1})/dt;
 /// - a contact starts at t_b = t_n − θ dt, θ = ζ_n/(ζ'_{n−1/2} dt). The force rises as (t − t_b)^{1−α}, which the sum of
-///   the engine's kicks integrates to order 2 − α only; the first kick carries the missing part (see start_weight).
+///   the engine's kicks integrates to order 2 − α only; the first kick carries the missing part (see start_weight);
+/// - a force that is about to fall through zero within the next step ends in the same way, as a straight line.
 ///
 /// What a contact remembers is `size` doubles, all zero before the first touch, in the engine's own history: they
 /// migrate and are written to restart files by the engine.
 class HalfStepContact {
  public:
   static constexpr std::size_t arm_slots = 12;
-  static constexpr std::size_t size = 4 + arm_slots;
-  /// History as an engine sees it: step of the last touch plus one (0: never), ζ and ζ' there, D^α ζ there, arms.
-  enum Slot : std::size_t { stamp, overlap, rate, force, arms };
+  static constexpr std::size_t size = 5 + arm_slots;
+  /// History as an engine sees it: step of the last touch plus one (0: never), ζ there, the half-step rates before it
+  /// (the older one 0: not known yet), D^α ζ there, arms.
+  enum Slot : std::size_t { stamp, overlap, rate, older_rate, force, arms };
 
   /// 0 ≤ alpha < 1; dt [s] > 0; memory [s] ≥ dt: a contact that lasts longer is carried on by the kernel's spring.
   /// Throws std::invalid_argument otherwise.

@@ -1,4 +1,4 @@
-#include "engines/liggghts_run.hpp"
+#include "liggghts_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +64,19 @@ std::string Workplace::create(const std::vector<Grain>& grains, const Box& box, 
     out << " 0 0 0\n";
   }
   return "read_data " + name + "\n";
+}
+
+void Workplace::write_square(const std::string& name, double low, double high) const {
+  using Corner = std::array<double, 2>;
+  const Corner a{low, low}, b{high, low}, c{high, high}, d{low, high};
+  std::ofstream out(file(name));
+  out << "solid square\n";
+  for (const auto& triangle : {std::array{a, b, c}, std::array{a, c, d}}) {
+    out << "facet normal 1 0 0\nouter loop\n";
+    for (const Corner& corner : triangle) out << "vertex 0 " << number(corner[0]) << ' ' << number(corner[1]) << '\n';
+    out << "endloop\nendfacet\n";
+  }
+  out << "endsolid square\n";
 }
 
 std::vector<Frame> Workplace::frames(const std::string& dump) const {

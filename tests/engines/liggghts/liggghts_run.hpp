@@ -43,6 +43,9 @@ class Workplace {
   /// Writes the grains as the data file `name`, with the commands that read it and set their velocities.
   std::string create(const std::vector<Grain>& grains, const Box& box, const std::string& name = "grains.data") const;
 
+  /// A square in the plane x = 0, of two triangles, as an STL file: low … high in y and z.
+  void write_square(const std::string& name, double low, double high) const;
+
   std::vector<Frame> frames(const std::string& dump) const;
 
  private:
