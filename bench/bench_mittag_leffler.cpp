@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 #include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/contact/fractional_contact_table.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
 
-#include <array>
 #include <random>
 #include <vector>
 
@@ -46,6 +46,17 @@ void degree(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(ricochet::conversion_degree(en[i++ % en.size()]));
 }
 
+void table(benchmark::State& state) {
+  const ricochet::FractionalContactTable contacts;
+  const std::vector<double> en = arguments(0.006, 1);
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(contacts(en[i++ % en.size()]));
+}
+
+void table_construction(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(ricochet::FractionalContactTable());
+}
+
 }  // namespace
 
 BENCHMARK_CAPTURE(prepared, contact_b1, 1.68, 1.0, -10.0, 0.0);
@@ -65,4 +76,6 @@ BENCHMARK_CAPTURE(cold, growing, 2.5, 1.0, 0.0, 5.0);
 BENCHMARK_CAPTURE(construction, a_1_5, 1.5, 1.0);
 BENCHMARK(contact);
 BENCHMARK(degree);
+BENCHMARK(table);
+BENCHMARK(table_construction);
 BENCHMARK_MAIN();

@@ -33,10 +33,10 @@ Real series(const Real& a, const Real& b, const Real& x, const Real& radius) {
 // |x|^{1/a} > 75 the rest is below e^-75.
 Real far_out(const Real& a, const Real& b, const Real& x, const Real& radius) {
   Real sum = 0;
-  for (int j = x > 0 ? 0 : 1; j / a < 1; j += 2) {
+  for (int j = x > 0 ? 0 : 1; j <= a; j += 2) {
     const Real angle = pi * j / a;
     const Real phase = radius * sin(angle) + (1 - b) * angle;
-    sum += (j == 0 ? 1 : 2) * pow(radius, Real(1 - b)) * exp(Real(radius * cos(angle))) * cos(phase) / a;
+    sum += (j == 0 || j == a ? 1 : 2) * pow(radius, Real(1 - b)) * exp(Real(radius * cos(angle))) * cos(phase) / a;
   }
   for (int k = 1; a * k < b + 70; ++k) sum -= pow(x, -k) * reciprocal_gamma(b - a * k);
   return sum;

@@ -3,6 +3,7 @@
 #include <ricochet/contact/any_law.hpp>
 #include <ricochet/contact/fractional_collocation.hpp>
 #include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/contact/fractional_contact_table.hpp>
 #include <ricochet/contact/friction.hpp>
 #include <ricochet/contact/geometry.hpp>
 #include <ricochet/contact/law.hpp>

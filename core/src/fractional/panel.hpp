@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <type_traits>
 
 namespace ricochet::detail {
 
@@ -12,10 +13,16 @@ namespace ricochet::detail {
 /// last: then the powers lose nothing, and they can be summed as a tree.
 class Panel {
  public:
-  template <class F>
-  Panel(const F& f, double low, double high) : centre_(0.5 * (low + high)), scale_(2 / (high - low)) {
-    Row value{};
-    for (std::size_t j = 0; j < size; ++j) value[j] = f(centre_ + std::cos(angle(j)) / scale_);
+  static constexpr std::size_t size = 16;
+  using Row = std::array<double, size>;
+
+  /// The abscissae, j < size.
+  static double abscissa(std::size_t j, double low, double high) {
+    return 0.5 * (low + high) + 0.5 * (high - low) * std::cos(angle(j));
+  }
+
+  /// From the values at the abscissae.
+  Panel(const Row& value, double low, double high) : centre_(0.5 * (low + high)), scale_(2 / (high - low)) {
     Row before{}, powers{1};  // of T_{k−1} and T_k
     for (std::size_t k = 0; k < size; ++k) {
       const double c = coefficient(value, k);
@@ -28,6 +35,10 @@ class Panel {
     }
   }
 
+  template <class F>
+    requires std::is_invocable_r_v<double, const F&, double>
+  Panel(const F& f, double low, double high) : Panel(sample(f, low, high), low, high) {}
+
   double operator()(double x) const noexcept {
     const double t = (x - centre_) * scale_, t2 = t * t, t4 = t2 * t2, t8 = t4 * t4;
     const auto four = [&](std::size_t i) { return (c_[i] + c_[i + 1] * t) + (c_[i + 2] + c_[i + 3] * t) * t2; };
@@ -35,8 +46,12 @@ class Panel {
   }
 
  private:
-  static constexpr std::size_t size = 16;
-  using Row = std::array<double, size>;
+  template <class F>
+  static Row sample(const F& f, double low, double high) {
+    Row value{};
+    for (std::size_t j = 0; j < size; ++j) value[j] = f(abscissa(j, low, high));
+    return value;
+  }
 
   static double angle(std::size_t j) { return std::numbers::pi * (static_cast<double>(j) + 0.5) / size; }
   static double coefficient(const Row& value, std::size_t k) {
