@@ -10,6 +10,7 @@
 #include <ricochet/contact/vec3.hpp>
 #include <ricochet/fractional/collocation.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
+#include <ricochet/fractional/operators.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
 #include <ricochet/motion/collision.hpp>
 #include <ricochet/motion/column.hpp>
