@@ -15,6 +15,7 @@
 #include <ricochet/motion/collision.hpp>
 #include <ricochet/motion/column.hpp>
 #include <ricochet/motion/event_driven_column.hpp>
+#include <ricochet/motion/fractional_solvers.hpp>
 #include <ricochet/motion/linked_cells.hpp>
 #include <ricochet/motion/tuned_law.hpp>
 #include <ricochet/version.hpp>
