@@ -38,7 +38,7 @@ std::string_view name(FractionalScheme scheme) noexcept;
 struct FractionalSolverOptions {
   double step = 0;      ///< h [s] > 0 (not used by collocation)
   double offset = 0;    ///< in [0, 1): t_b lies this part of a step after a mesh point, so the first step is (1−offset) h
-  double end_time = 0;  ///< [s] > 0: go on to this time, not to the force's zero; it is met by shortening the last step
+  double end_time = 0;  ///< [s] > 0: go on through the mesh points up to this time, not to the force's zero
   int nodes = 24;       ///< of the collocation
   std::optional<MemoryKernel> kernel = {};  ///< of the arms; empty: one for δ = step and 1e-10, see solver_kernel
 };
@@ -56,7 +56,7 @@ struct FractionalState {
 
 struct FractionalSolverResult {
   CollisionStatus status = CollisionStatus::no_separation;
-  double tcol = 0;         ///< first zero of the force [s]; with end_time: that time
+  double tcol = 0;         ///< first zero of the force [s]; with end_time: the last mesh point, status budget_spent
   double en = 0;           ///< −ζ'(t_col)/v₀
   double overlap_end = 0;  ///< ζ(t_col) [m]
   std::size_t steps = 0;

@@ -1,0 +1,72 @@
+#include "../../verify/studies/convergence.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace ricochet;
+using namespace ricochet::verify;
+
+namespace {
+
+/// The same operator with one weight wrong by a hundredth.
+Operator broken(Operator op, std::size_t weight) {
+  op.make = [make = op.make, weight](double alpha, double step, std::size_t steps) {
+    const ConvolutionRule rule = make(alpha, step, steps);
+    std::vector<double> w(rule.weights().begin(), rule.weights().end());
+    w[weight] *= 1.01;
+    return ConvolutionRule(w, {rule.first().begin(), rule.first().end()}, {rule.second().begin(), rule.second().end()});
+  };
+  return op;
+}
+
+bool all_green(const Operator& op, double alpha) { return all_pass(to_gates(measure(op, alpha))); }
+
+}  // namespace
+
+TEST_CASE("the convergence gates pass every operator as it is, and turn red for one wrong weight") {
+  for (const Operator& op : fractional_operators()) {
+    CAPTURE(op.name);
+    CHECK(all_green(op, 0.25));
+    CHECK_FALSE(all_green(broken(op, 1), 0.25));
+    CHECK_FALSE(all_green(broken(op, 7), 0.25));
+  }
+}
+
+TEST_CASE("an order is judged from both sides") {
+  Convergence c{.statement = {"s", "f", 0.5, 2.0, 0.1}};
+  const auto measured = [&](double order) {
+    c.steps.clear(), c.errors.clear(), c.values.clear();
+    for (int i = 0; i < 6; ++i) {
+      c.steps.push_back(std::size_t{16} << i);
+      c.errors.push_back(std::exp2(-order * i) * 1e-3);
+      c.values.push_back(c.errors.back());
+    }
+    return c.pass();
+  };
+  CHECK(measured(2.05));
+  CHECK_FALSE(measured(2.2));
+  CHECK_FALSE(measured(1.8));
+  CHECK(measured(1.95));
+  CHECK(c.observed() == Approx(1.95));
+  CHECK_FALSE(measured(std::nan("")));
+  CHECK_FALSE(all_pass(to_gates({c})));
+}
+
+TEST_CASE("the extrapolated value and the grid convergence index belong to the stated order") {
+  Convergence c{.statement = {"s", "f", 0.5, 2.0, 0.1}, .steps = {1, 2, 4, 8}, .errors = {64, 16, 4, 1},
+                .values = {64, 16, 4, 1}, .scale = 2};
+  CHECK(c.richardson_error() == Approx(0).margin(1e-14));
+  CHECK(c.grid_convergence_index() == Approx(1.25 * 3 / 3 / 2));
+  CHECK(c.pass());
+}
+
+TEST_CASE("what is exact must be exact, and a NaN is never") {
+  Convergence c{.statement = {"s", "f", 0.5, std::nullopt, 0.1}, .steps = {1, 2}, .errors = {1e-15, 1e-12},
+                .values = {1e-15, 1e-12}};
+  CHECK(all_pass(to_gates({c})));
+  c.errors[0] = 1e-9;
+  CHECK_FALSE(c.pass());
+  CHECK_FALSE(all_pass(to_gates({c})));
+  c.errors[0] = std::nan("");
+  CHECK_FALSE(c.pass());
+  CHECK_FALSE(all_pass(to_gates({c})));
+}
