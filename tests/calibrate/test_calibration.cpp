@@ -1,0 +1,162 @@
+#include <calibrate/calibration.hpp>
+#include <catch2/catch.hpp>
+#include <ricochet/contact/fractional_contact.hpp>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+using namespace ricochet;
+using namespace ricochet::calibration;
+
+namespace {
+
+constexpr Impact table_two{0.5, 7.06858e-6};
+
+struct Case {
+  LawName law;
+  ContactEnd end;
+};
+constexpr Case all_cases[] = {
+    {LawName::linear, ContactEnd::overlap},     {LawName::linear, ContactEnd::force},
+    {LawName::kuwabara_kono, ContactEnd::force}, {LawName::tsuji, ContactEnd::overlap},
+    {LawName::tsuji, ContactEnd::force},         {LawName::hysteretic, ContactEnd::force},
+    {LawName::fractional, ContactEnd::overlap},  {LawName::fractional, ContactEnd::force}};
+
+Calibration calibrated(const Case& c, double tcol, double en, const Settings& settings = {}) {
+  const auto outcome = calibrate({c.law, c.end, {tcol, en, table_two}}, settings);
+  REQUIRE(std::holds_alternative<Calibration>(outcome));
+  return std::get<Calibration>(outcome);
+}
+
+Infeasible missed(const Request& request, const Settings& settings = {}) {
+  const auto outcome = calibrate(request, settings);
+  REQUIRE(std::holds_alternative<Infeasible>(outcome));
+  return std::get<Infeasible>(outcome);
+}
+
+std::map<std::string, double> values(const AnyLaw& law) {
+  std::map<std::string, double> all;
+  for (const auto& p : parameters(law)) all[p.name] = p.value;
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("both methods hit the target and agree, for every law and end, over the whole range of targets") {
+  for (const auto& c : all_cases)
+    for (const double tcol : {1e-12, 1e-4, 1e3})
+      for (const double en : {0.01, 0.1, 0.5, 0.9, 0.99, 0.9999}) {
+        CAPTURE(text(c.law), text(c.end), tcol, en);
+        const auto result = calibrated(c, tcol, en);
+        CHECK(std::abs(result.tcol_residual) <= 1e-10);
+        CHECK(std::abs(result.en_residual) <= 1e-10);
+        CHECK(result.cross_difference <= 1e-8);
+        CHECK(result.method == Method::nlopt);
+        CHECK(result.cross_method == Method::direct);
+      }
+}
+
+TEST_CASE("the direct method answers with the same law") {
+  for (const auto& c : all_cases) {
+    CAPTURE(text(c.law), text(c.end));
+    const auto searched = values(calibrated(c, 1e-4, 0.5).law);
+    const auto reduced = values(calibrated(c, 1e-4, 0.5, {.method = Method::direct}).law);
+    for (const auto& [name, value] : reduced) CHECK(searched.at(name) == Approx(value).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("linear and hysteretic parameters are those of their formulas") {
+  const double m = table_two.mass_eff, t = 1e-4, e = 0.3, loss = -std::log(e), pi = std::numbers::pi;
+  const auto linear1 = values(calibrated({LawName::linear, ContactEnd::overlap}, t, e).law);
+  CHECK(linear1.at("c") == Approx(2 * m * loss / t).epsilon(1e-10));
+  CHECK(linear1.at("k") == Approx(m * (pi * pi + loss * loss) / (t * t)).epsilon(1e-10));
+  const auto linear2 = values(calibrated({LawName::linear, ContactEnd::force}, t, e).law);
+  CHECK(linear2.at("c") == Approx(2 * m * loss / t).epsilon(1e-10));
+  const auto hysteretic = values(calibrated({LawName::hysteretic, ContactEnd::force}, t, e).law);
+  CHECK(hysteretic.at("k1") == Approx(m * std::pow(0.5 * pi * (1 + e) / t, 2)).epsilon(1e-10));
+  CHECK(hysteretic.at("k1") / hysteretic.at("k2") == Approx(e * e).epsilon(1e-10));
+}
+
+TEST_CASE("an elastic target is a spring without damping") {
+  for (const auto& c : all_cases) {
+    CAPTURE(text(c.law), text(c.end));
+    const auto law = values(calibrated(c, 1e-4, 1).law);
+    if (c.law == LawName::hysteretic) CHECK(law.at("k1") == law.at("k2"));
+    if (c.law == LawName::fractional) CHECK(law.at("alpha") == 0);
+    if (c.law != LawName::hysteretic && c.law != LawName::fractional) CHECK(law.at("c") == 0);
+  }
+  const auto spring = values(calibrated({LawName::linear, ContactEnd::force}, 1e-4, 1).law);
+  CHECK(spring.at("k") ==
+        Approx(table_two.mass_eff * std::numbers::pi * std::numbers::pi / 1e-8).epsilon(1e-10));
+}
+
+TEST_CASE("the fractional law holds k, and another k changes neither alpha nor c^alpha k^(1-alpha)") {
+  Request request{LawName::fractional, ContactEnd::force, {1e-4, 0.5, table_two}};
+  const auto held = std::get<Calibration>(calibrate(request));
+  const auto linear2 = values(calibrated({LawName::linear, ContactEnd::force}, 1e-4, 0.5).law);
+  CHECK(values(held.law).at("k") == Approx(linear2.at("k")).epsilon(1e-10));
+  request.stiffness = 5225;
+  const auto other = std::get<Calibration>(calibrate(request));
+  CHECK(values(other.law).at("k") == 5225);
+  CHECK(values(other.law).at("c") == Approx(0.2964394).epsilon(1e-6));
+  const auto one = identifiable(held.law), two = identifiable(other.law);
+  REQUIRE(one.size() == 2);
+  for (std::size_t i = 0; i < one.size(); ++i) CHECK(one[i].value == Approx(two[i].value).epsilon(1e-10));
+  CHECK(two[0].value == Approx(conversion_degree(0.5)).epsilon(1e-10));
+}
+
+TEST_CASE("Eq. (57) goes with the end that it is about") {
+  CHECK(calibrated({LawName::fractional, ContactEnd::force}, 1e-4, 0.5).tcol_estimate.has_value());
+  CHECK_FALSE(calibrated({LawName::fractional, ContactEnd::overlap}, 1e-4, 0.5).tcol_estimate.has_value());
+  CHECK_FALSE(calibrated({LawName::linear, ContactEnd::force}, 1e-4, 0.5).tcol_estimate.has_value());
+}
+
+TEST_CASE("every offered algorithm reaches the tolerance on every law") {
+  for (const auto& algorithm : algorithms())
+    for (const auto& c : all_cases)
+      for (const double en : {0.05, 0.5, 1.0}) {
+        CAPTURE(algorithm, text(c.law), text(c.end), en);
+        const auto result = calibrated(c, 1e-4, en, {.algorithm = algorithm});
+        CHECK(result.algorithm == algorithm);
+        CHECK(result.cross_difference <= 1e-8);
+      }
+}
+
+TEST_CASE("what cannot be reached comes with a range that can") {
+  const Target target{1e-4, 1e-5, table_two};
+  const auto out = missed({LawName::fractional, ContactEnd::overlap, target});
+  CHECK(out.quantity == "en");
+  CHECK(out.asked == 1e-5);
+  CHECK(out.lowest > 1e-5);
+  CHECK(out.lowest < 0.01);
+  CHECK(out.highest == 1);
+  calibrated({LawName::fractional, ContactEnd::overlap}, 1e-4, 1.5 * out.lowest);
+}
+
+TEST_CASE("a held k that no c can go with is infeasible, with the range of k") {
+  const Target elastic{1e-4, 1, table_two};
+  const auto spring = missed({LawName::fractional, ContactEnd::force, elastic, 5000.0});
+  CHECK(spring.quantity == "stiffness");
+  CHECK(spring.lowest == spring.highest);
+  CHECK(std::holds_alternative<Calibration>(
+      calibrate({LawName::fractional, ContactEnd::force, elastic, spring.lowest})));
+  const Target nearly{1e-4, 0.9999, table_two};
+  const auto narrow = missed({LawName::fractional, ContactEnd::force, nearly, 4.0});
+  CHECK(narrow.lowest > 4);
+  for (const double k : {narrow.lowest * 1.0001, narrow.highest / 1.0001})
+    CHECK(std::holds_alternative<Calibration>(calibrate({LawName::fractional, ContactEnd::force, nearly, k})));
+}
+
+TEST_CASE("misuse names the value") {
+  const auto with = [](Target target) { return Request{LawName::linear, ContactEnd::force, target}; };
+  CHECK_THROWS_WITH(calibrate(with({-1, 0.5, table_two})), "tcol = -1: must be in [1e-30, 1e30]");
+  CHECK_THROWS_WITH(calibrate(with({1e-4, 1.5, table_two})), "en = 1.5: must be in (0, 1]");
+  CHECK_THROWS_WITH(calibrate(with({1e-4, 0.5, {0.5, -1}})), "mass_eff = -1: must be in [1e-30, 1e30]");
+  CHECK_THROWS_WITH(calibrate(with({1e-4, 0.5, table_two}), {.tolerance = 1e-20}),
+                    "tolerance = 1e-20: must be in [1e-11, 0.1]");
+  CHECK_THROWS_WITH(calibrate(with({1e-4, 0.5, table_two}), {.algorithm = "GN_ISRES"}),
+                    Catch::Contains("algorithm = GN_ISRES: must be one of LN_BOBYQA"));
+  CHECK_THROWS_WITH(calibrate({LawName::hysteretic, ContactEnd::overlap, {1e-4, 0.5, table_two}}),
+                    "end = overlap: must be force for the law hysteretic");
+}
