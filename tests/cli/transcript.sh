@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# transcript.sh PROGRAM TRANSCRIPT [--update]
+# Runs every "$ <program> <arguments>" line of a transcript and compares what the program says now with what is written there:
+# stdout as it is, stderr after "! ", the exit code after "? ". Digits that rounding may change are masked by "#".
+set -u
+program=$(realpath "$1") transcript=$(realpath "$2") update=${3:-}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+
+mask() {
+  sed -E \
+    -e 's/^(.*(LN_[A-Z]+|LD_[A-Z]+|closed form|bracketed root)) +[0-9]+ +[0-9]e[-+][0-9]+ +[0-9]e[-+][0-9]+ +(nlopt|direct) +[0-9]e[-+][0-9]+$/\1  #/' \
+    -e 's/^(\|.*\|) [0-9]+ \| [0-9]e[-+][0-9]+ \| [0-9]e[-+][0-9]+ \| (nlopt|direct) \| [0-9]e[-+][0-9]+ \|$/\1 # |/' \
+    -e '/"(achieved|residual)": \{/,/\}/ s/: -?[0-9][0-9.e+-]*/: #/' \
+    -e 's/("(evaluations|max_relative_difference)"): [0-9.e+-]+/\1: #/' \
+    -e 's/([0-9]\.[0-9]{8})[0-9]+/\1#/g' \
+    -e 's/in \[[0-9.e-]+, 1\]: nearer/in [#, 1]: nearer/' \
+    -e 's/[[:space:]]+$//'
+}
+
+run() {
+  echo "\$ $1"
+  # The transcripts are the project's own; eval gives their quotes and redirections their meaning.
+  eval "\"$program\" ${1#"$(basename "$program")"}" >out 2>err
+  local code=$?
+  mask <out
+  mask <err | sed 's/^/! /'
+  echo "? $code"
+}
+
+while IFS= read -r line; do
+  case $line in
+    '$ '*) run "${line#\$ }"; echo ;;
+    '#'*) echo "$line" ;;
+  esac
+done <"$transcript" >now
+
+if [ "$update" = --update ]; then
+  cp now "$transcript"
+else
+  diff -u "$transcript" now
+fi
