@@ -94,6 +94,31 @@ TEST_CASE("the tabulated reference values are those of the multiprecision series
   }
 }
 
+// What the switch points in core/src/fractional rest on: worst error in units of the promise over b, by a and x, of the
+// contour sum and of the prepared form. Run with: test_fractional "[.map]"
+TEST_CASE("error map of E", "[.map]") {
+  const std::array orders{0.1, 0.4, 0.8, 0.95, 0.97, 0.9999, 1.0, 1.0001, 1.04, 1.06, 1.2, 1.5, 1.8, 1.97, 2.0, 2.03, 2.4, 2.8, 3.0};
+  const std::array arguments{-8e5, -3e4, -900.0, -41.0, -31.0, -29.0, -16.1, -15.9, -6.0, -1.01, -0.99, -0.1, 0.6, 2.1, 4.9};
+  std::ostringstream map;
+  map << "a \\ x: contour/prepared";
+  for (double x : arguments) map << '\t' << x;
+  for (double a : orders) {
+    map << '\n' << a;
+    for (double x : arguments) {
+      double direct = 0, prepared = 0;
+      for (double b : {0.29, 0.31, 1.0, 1.16, a, 2.0, 2.51, 4.01}) {
+        if (x > 0 && std::pow(x, 1 / a) > 690) continue;
+        const Reference r = mittag_leffler_reference(a, b, x);
+        direct = std::max(direct, excess(mittag_leffler(a, b, x), r.value, r.slope));
+        prepared = std::max(prepared, excess(MittagLeffler(a, b)(x), r.value, r.slope));
+      }
+      map << '\t' << std::round(direct * 1000) / 1000 << '/' << std::round(prepared * 1000) / 1000;
+      CHECK(std::max(direct, prepared) <= 1);
+    }
+  }
+  WARN(map.str());
+}
+
 TEST_CASE("E has its closed forms") {
   for (double x : {-500.0, -40.0, -7.5, -1.0, -1e-3, 0.0, 1e-3, 0.7, 5.0}) {
     INFO("x = " << x);
