@@ -12,6 +12,7 @@
 #include <ricochet/fractional/memory_kernel.hpp>
 #include <ricochet/fractional/operators.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
+#include <ricochet/motion/cluster.hpp>
 #include <ricochet/motion/collision.hpp>
 #include <ricochet/motion/column.hpp>
 #include <ricochet/motion/event_driven_column.hpp>

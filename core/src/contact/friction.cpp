@@ -62,8 +62,14 @@ std::optional<Speeds> resisted(Speeds start, double alpha, double beta) noexcept
   return end.x > 0 && end.y > 0 ? std::optional(end) : std::nullopt;
 }
 
+// Whether the limit curve holds (force, torque), both in units of the sliding limit.
 bool admits_stick(double force, double torque) noexcept {
-  return force <= 1 && torque <= 2.0 / 3 && !resisted({force, torque}, 1, 1);
+  if (force > 1 || torque > 2.0 / 3) return false;
+  if (force + 1.5 * torque <= 1) return true;
+  // Motion along (force, torque) itself would be resisted by less: outside for certain. Most cases end here.
+  const DiscFriction f = ricochet::disc_friction(force / torque);
+  if (force * force + torque * torque > force * f.force + torque * f.torque) return false;
+  return !resisted({force, torque}, 1, 1);
 }
 
 struct Slide {
@@ -153,13 +159,15 @@ FrictionSolution friction_impulse(const Friction& friction, const FrictionProble
     free.slip = p.free.slip + m.cross * s.impulse.rolling;
     const Slide slid = slide(friction, p, free, sliding);
     const Roll rolled = roll(p, p.free.roll + m.cross * slid.impulse, roll_limit);
-    const double rolling_change = norm(rolled.impulse - s.impulse.rolling), sliding_change = norm(slid.impulse - sliding);
+    // What the new rolling impulse would change in the slip, against what sliding friction can change.
+    const double rolling_change = std::abs(m.cross) * norm(rolled.impulse - s.impulse.rolling);
+    const double sliding_change = norm(slid.impulse - sliding);
     s.impulse = {slid.impulse, slid.torsion, rolled.impulse};
     s.sticks = slid.sticks;
     s.holds_roll = rolled.holds;
     sliding = slid.impulse;
     const bool slide_settled = slid.sticks || constant_mu || sliding_change <= 1e-14 * norm(sliding);
-    if (rolling_change <= 1e-14 * roll_limit && slide_settled) break;
+    if (rolling_change <= 1e-13 * m.slip * p.normal_impulse && slide_settled) break;
   }
   if (s.sticks) s.slip_fraction = slip_fraction(friction, p, free);
   return s;

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <ricochet/contact/any_law.hpp>
+#include <ricochet/contact/friction.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace ricochet {
+
+/// A homogeneous sphere: mass (4/3)πr³ρ, moment of inertia (2/5)mr².
+struct Sphere {
+  double radius = 0;   ///< [m]
+  double density = 0;  ///< [kg/m³]
+  Vec3 position{};     ///< [m]
+  Vec3 velocity{};     ///< [m/s]
+  Vec3 spin{};         ///< ω [1/s]
+  std::size_t material = 0;
+
+  double mass() const noexcept;     ///< [kg]
+  double inertia() const noexcept;  ///< [kg m²]
+};
+
+/// An immovable plane through `point`; `inward` (any length > 0) points to the side of the spheres.
+struct Wall {
+  Vec3 point{};
+  Vec3 inward{0, 0, 1};
+  std::size_t material = 0;
+};
+
+/// The six walls of the box from `low` to `high`, spheres inside. Throws std::invalid_argument unless low < high.
+std::vector<Wall> box_walls(Vec3 low, Vec3 high, std::size_t material = 0);
+
+/// How two materials meet.
+struct Interaction {
+  AnyLaw law;
+  Friction friction{};
+  ContactEnd end = ContactEnd::force;
+};
+
+/// Interactions by pair of materials, (a, b) with a ≤ b.
+using Interactions = std::map<std::pair<std::size_t, std::size_t>, Interaction>;
+
+/// Other forces: adds to `forces` [N] at `time` [s] what acts on each sphere at `positions`.
+using LongRangeForce = std::function<void(double time, std::span<const Vec3> positions, std::span<Vec3> forces)>;
+
+/// Everything that a cluster of particles is made of, at time 0.
+struct ClusterSetup {
+  std::vector<Sphere> spheres;
+  std::vector<Wall> walls;
+  Interactions interactions;
+  Vec3 gravity{};  ///< [m/s²]
+  LongRangeForce long_range;
+};
+
+/// Masses and speed of the stiffest meeting of a setup.
+struct StiffestContact {
+  std::size_t i = 0, j = 0;  ///< bodies; walls count from spheres.size()
+  double tcol = 0;           ///< how long it lasts [s]; 0 if nothing can meet
+};
+
+/// The pair whose binary collision lasts shortest, over all pairs of spheres and walls (grouped by size and material,
+/// so linear in their number while these are few). Impact velocity: the fastest that two bodies of the setup approach
+/// each other, gravity having acted over the greatest radius. Durations: (57) for the fractional law, the undamped
+/// law's for the others, which is what the step has to resolve.
+StiffestContact stiffest_contact(const ClusterSetup& setup);
+
+/// Throws std::invalid_argument naming what is wrong: a radius, density or number that is not finite or not positive, a
+/// wall without direction, or a pair of materials that can meet and has no interaction.
+void check(const ClusterSetup& setup);
+
+}  // namespace ricochet

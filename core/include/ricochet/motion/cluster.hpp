@@ -1,0 +1,166 @@
+#pragma once
+
+#include <ricochet/contact/geometry.hpp>
+#include <ricochet/motion/bodies.hpp>
+#include <ricochet/motion/contact_state.hpp>
+#include <ricochet/motion/linked_cells.hpp>
+
+#include <span>
+#include <vector>
+
+namespace ricochet {
+
+/// What happens when a pair whose force has fallen to zero is pushed together again before it has separated.
+enum class Reclosing {
+  repels,  ///< the law goes on with its memory, clamped at zero
+  silent   ///< no force until the pair has separated: the literal reading; bodies can pass through each other
+};
+
+struct ClusterOptions {
+  double step = 0;               ///< Δt [s], > 0
+  double skin = 0;               ///< of the neighbour list [m]; 0: a third of the smallest radius
+  double longest_contact = 0;    ///< [s] for the memory kernels of fractional laws; 0: 10⁴ steps
+  double kernel_tolerance = 1e-8;
+  Reclosing reclosing = Reclosing::repels;
+  double solver_tolerance = 1e-12;  ///< on impulses, relative to the greatest of the step
+  int max_sweeps = 50;              ///< over all contacts, a step
+};
+
+/// The energies of a cluster [J]. `total` is constant up to the scheme's error; `lost_*` are what dashpots, clamped
+/// forces and friction have taken since the start.
+struct ClusterEnergy {
+  double kinetic = 0, gravity = 0, stored = 0, lost_normal = 0, lost_friction = 0, long_range_work = 0;
+
+  double mechanical() const noexcept { return kinetic + gravity + stored; }
+  double total() const noexcept { return mechanical() + lost_normal + lost_friction - long_range_work; }
+};
+
+/// All that a cluster's future depends on besides its setup and options: restoring it continues to the last bit.
+struct ClusterState {
+  std::uint64_t steps = 0;
+  std::vector<Vec3> half_positions, velocities, spins;
+  std::vector<ContactState> contacts;
+  double lost_normal = 0, lost_friction = 0, long_range_work = 0;
+};
+
+/// Spheres and walls in motion: any normal law for each pair of materials, friction with torsion and rolling
+/// (Sec. II of the paper), gravity, other forces.
+///
+/// Scheme. Velocities live at t_n, positions at t_{n+1/2} (leapfrog). In the middle of a step every contact passes one
+/// impulse at its contact point, so momentum and angular momentum are conserved to rounding, whatever the step and
+/// the laws. Impulses are implicit in the velocities: R by the midpoint rule on the step's mean velocity, friction as
+/// in friction_impulse, found together by sweeps over the contacts. Between two middles each sphere flies straight, so
+/// t_b is the root of a quadratic; from t_b to the end of that step the pair is integrated by itself on a finer,
+/// graded mesh. Where the force falls to zero inside a step, the impulse stops there.
+///
+/// Order 2 in the step for positions, velocities, energy and t_e, for laws whose force is smooth in time after t_b. A
+/// law that starts like t^p, 0 < p < 1 (fractional: p = 1−α; Kuwabara-Kono: 1/2; Tsuji: 1/4), adds an error of order
+/// 1+p with a small constant (the graded first step takes most of it).
+class Cluster {
+ public:
+  /// Throws std::invalid_argument for a setup that `check` rejects or an option outside its domain. Spheres that
+  /// overlap at the start count as touching since time 0.
+  Cluster(const ClusterSetup& setup, const ClusterOptions& options);
+
+  void step();
+  /// False as soon as a position or velocity is not finite: the step was far too large.
+  bool advance(std::uint64_t steps);
+
+  double time() const noexcept { return static_cast<double>(state_.steps) * options_.step; }
+  std::size_t size() const noexcept { return radii_.size(); }
+  Vec3 position(std::size_t i) const noexcept;  ///< at time()
+  Vec3 velocity(std::size_t i) const noexcept { return state_.velocities[i]; }
+  Vec3 spin(std::size_t i) const noexcept { return state_.spins[i]; }
+
+  ClusterEnergy energy() const noexcept;
+  Vec3 momentum() const noexcept;          ///< [kg m/s]
+  Vec3 angular_momentum() const noexcept;  ///< about the origin [kg m²/s]
+
+  /// Pairs in contact, ordered by (i, j).
+  std::span<const ContactState> contacts() const noexcept { return state_.contacts; }
+  /// Collisions whose pairs have separated since the last call, in the order of their separation.
+  std::vector<Encounter> take_finished();
+
+  int last_sweeps() const noexcept { return sweeps_; }  ///< that the last step took
+  bool last_converged() const noexcept { return converged_; }
+  std::size_t rebuilds() const noexcept { return rebuilds_; }  ///< of the neighbour list
+
+  const ClusterState& state() const noexcept { return state_; }
+  /// Continues from a state saved with the same setup and options.
+  void restore(ClusterState state);
+
+ private:
+  using RunLaw = std::variant<Linear, KuwabaraKono, Tsuji, Hysteretic, FractionalArms>;
+  struct Model {
+    RunLaw law;
+    Friction friction;
+    ContactEnd end;
+    double gain;  // dR/dζ' of a law with memory over a full step [N s/m]
+  };
+  struct PlaneWall {
+    Vec3 point, inward;
+  };
+  // A contact during a step; the solver sees nothing else.
+  struct Row {
+    ContactGeometry geometry;
+    SlipMobility mobility;
+    double mobility_normal = 0;  // 1/m_i + 1/m_j
+    double rate_before = 0;      // ζ' at the start of the step
+    double rate_guess = 0, force_guess = 0, gain = 0;  // R(ζ') = force_guess + gain·(ζ' − rate_guess)
+    double fixed_impulse = 0, duration = 0;            // duration 0: the impulse is fixed
+    double fixed_loss = 0;
+    SlipMotion before;
+    Vec3 turning;
+    double impulse = 0;
+    FrictionSolution friction;
+  };
+
+  Model prepare_model(const Interaction& interaction) const;
+  std::uint32_t model_of(std::uint32_t i, std::uint32_t j) const noexcept;
+  ContactGeometry geometry(std::uint32_t i, std::uint32_t j) const noexcept;
+  Vec3 relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept;
+  SlipMotion slip_motion(const ContactState& c, const ContactGeometry& g) const noexcept;
+
+  void kick_by_fields();
+  void list_candidates();
+  void find_touching();
+  void drop_separated();
+  bool touches(std::uint32_t i, std::uint32_t j) const noexcept;
+  ContactState begin_contact(std::uint32_t i, std::uint32_t j) const;
+  double force_at_separation(const ContactState& c, double rate, double span) const;
+  void finish(ContactState& contact, const ContactGeometry& g);
+  void prepare_rows();
+  void prepare_normal(const ContactState& contact, Row& row) const;
+  void touch(ContactState& contact, Row& row);
+  void apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept;
+  double normal_impulse(const ContactState& contact, const Row& row, double rate_free) const noexcept;
+  double relax(ContactState& contact, Row& row) noexcept;
+  void solve();
+  void conclude();
+  void conclude_normal(ContactState& contact, const Row& row, double rate_after);
+  void conclude_friction(ContactState& contact, const Row& row, const SlipMotion& after);
+  void note_phases(ContactState& contact, const Row& row, double rate_mid, const SlipMotion& after) const;
+
+  ClusterOptions options_;
+  Vec3 gravity_;
+  LongRangeForce long_range_;
+  std::vector<double> radii_, masses_, inertias_;           // of spheres
+  std::vector<double> inverse_mass_, inverse_inertia_;      // of bodies: spheres, then walls (0)
+  std::vector<PlaneWall> walls_;
+  std::vector<std::size_t> materials_;  // of bodies
+  std::size_t material_count_ = 0;
+  std::vector<std::uint32_t> model_table_;
+  std::vector<Model> models_;
+
+  ClusterState state_;  // velocities and spins of walls follow those of the spheres, all zero
+  NeighbourList neighbours_;
+  std::vector<NearPair> candidates_;
+  std::vector<Row> rows_;
+  std::vector<Vec3> field_forces_;
+  std::vector<Encounter> finished_;
+  std::size_t rebuilds_ = 0;
+  int sweeps_ = 0;
+  bool converged_ = true;
+};
+
+}  // namespace ricochet

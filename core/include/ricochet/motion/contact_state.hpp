@@ -1,0 +1,61 @@
+#pragma once
+
+#include <ricochet/contact/any_law.hpp>
+#include <ricochet/contact/friction.hpp>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <variant>
+
+namespace ricochet {
+
+/// How a collision ended, Definitions 2–7 of the paper.
+enum class EncounterEnd {
+  open,              ///< it has not
+  elastic_rebound,   ///< the overlap returned to zero while the bodies still repelled (24)
+  deformed_rebound,  ///< the repulsion fell to zero first, the bodies separating (25)
+  dynamic_contact,   ///< (25) without separating, while rolling or sliding
+  static_contact     ///< (25) without any motion
+};
+std::string_view name(EncounterEnd end) noexcept;
+
+/// What a contact goes through, Definition 4. Several at once are the rule: compression with sliding, say.
+enum class Phase { compression, decompression, torsion, sliding, rolling, rest };
+inline constexpr std::size_t phase_count = 6;
+std::string_view name(Phase phase) noexcept;
+
+/// One collision of one pair, from its first touch until it separates.
+struct Encounter {
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  std::uint32_t i = 0, j = 0;  ///< bodies; walls count from the number of spheres
+  double begin = 0;            ///< t_b [s]
+  double end = never;          ///< t_e [s]: first zero of the force (25), else of the overlap (24); t_col = end − begin
+  double separation = never;   ///< where the overlap returned to zero [s]; the pair forgets its memory there
+  EncounterEnd how = EncounterEnd::open;
+  std::array<double, phase_count> phase_begin{never, never, never, never, never, never};  ///< when first entered [s]
+
+  bool operator==(const Encounter&) const = default;
+};
+
+/// Whatever a law's memory is.
+using LawMemory = std::variant<NoMemory, Hysteretic::Memory, FractionalArms::Memory>;
+
+/// A contact between two steps: all that its future depends on.
+struct ContactState {
+  Encounter record;
+  std::uint32_t model = 0;  ///< which interaction
+  LawMemory memory;
+  Approach approach;            ///< at the time of the memory
+  double force = 0;             ///< signed, then [N]
+  double lag = 0;               ///< from that time to the middle of the coming step [s]
+  bool fresh = true;            ///< before the contact's first step
+  double normal_impulse = 0;    ///< of the last step [N s]
+  FrictionImpulse friction;     ///< of the last step, from where the next one is sought
+  double stored = 0;            ///< elastic energy and memory at the end of the last step [J]
+  double speed_scale = 0;       ///< of the meeting [m/s]: a 10⁻⁹ of it counts as no motion
+};
+
+}  // namespace ricochet

@@ -1,0 +1,142 @@
+#include <ricochet/motion/bodies.hpp>
+
+#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/detail/require.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace ricochet {
+
+double Sphere::mass() const noexcept { return 4.0 / 3 * std::numbers::pi * radius * radius * radius * density; }
+double Sphere::inertia() const noexcept { return 0.4 * mass() * radius * radius; }
+
+std::vector<Wall> box_walls(Vec3 low, Vec3 high, std::size_t material) {
+  if (!(low.x < high.x && low.y < high.y && low.z < high.z))
+    throw std::invalid_argument("box: low must be below high in x, y and z");
+  return {{low, {1, 0, 0}, material},  {high, {-1, 0, 0}, material}, {low, {0, 1, 0}, material},
+          {high, {0, -1, 0}, material}, {low, {0, 0, 1}, material},  {high, {0, 0, -1}, material}};
+}
+
+namespace {
+
+using std::numbers::pi;
+
+// How long a binary collision of the law lasts, without its damping (which step control need not see).
+double duration(const Linear& law, double mass, double) { return pi * std::sqrt(mass / law.k()); }
+double duration(const Hysteretic& law, double mass, double) { return pi * std::sqrt(mass / law.k2()); }
+// ½mv² = (2/5)kζ^{5/2}; t = 2.943 ζ/v (Landau & Lifshitz, Theory of Elasticity, §9).
+double hertz(double k, double mass, double speed) {
+  return speed > 0 ? 2.943 * std::pow(1.25 * mass * speed * speed / k, 0.4) / speed
+                   : std::numeric_limits<double>::infinity();
+}
+double duration(const KuwabaraKono& law, double mass, double speed) { return hertz(law.k(), mass, speed); }
+double duration(const Tsuji& law, double mass, double speed) { return hertz(law.k(), mass, speed); }
+double duration(const Fractional& law, double mass, double) {
+  const double coefficient = law.coefficient() / mass;
+  return law.alpha() < 1 ? tcol_estimate(coefficient, law.alpha()) : 2 / coefficient;
+}
+
+double duration(const AnyLaw& law, double mass, double speed) {
+  return std::visit([&](const auto& l) { return duration(l, mass, speed); }, law);
+}
+
+void require_finite(const std::string& what, Vec3 v) {
+  if (!(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)))
+    throw std::invalid_argument(what + ": must be three finite numbers");
+}
+
+// Greatest approach speed of two bodies, gravity having acted over the greatest diameter.
+double approach_speed(const ClusterSetup& setup) {
+  double fastest = 0, second = 0, radius = 0;
+  for (const Sphere& s : setup.spheres) {
+    const double v = norm(s.velocity);
+    if (v > fastest) second = fastest, fastest = v;
+    else second = std::max(second, v);
+    radius = std::max(radius, s.radius);
+  }
+  return fastest + second + std::sqrt(4 * norm(setup.gravity) * radius);
+}
+
+// The lightest body of each material: with a given law the collision of the lightest pair is the shortest.
+struct Lightest {
+  std::optional<std::size_t> first, second;  // spheres
+  std::optional<std::size_t> wall;
+};
+
+std::map<std::size_t, Lightest> lightest_of(const ClusterSetup& setup) {
+  std::map<std::size_t, Lightest> all;
+  const auto& s = setup.spheres;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    Lightest& l = all[s[i].material];
+    if (!l.first || s[i].mass() < s[*l.first].mass()) l.second = l.first, l.first = i;
+    else if (!l.second || s[i].mass() < s[*l.second].mass()) l.second = i;
+  }
+  for (std::size_t w = 0; w < setup.walls.size(); ++w) all[setup.walls[w].material].wall = w;
+  return all;
+}
+
+}  // namespace
+
+StiffestContact stiffest_contact(const ClusterSetup& setup) {
+  const double speed = approach_speed(setup);
+  const auto lightest = lightest_of(setup);
+  StiffestContact stiffest;
+  const auto meet = [&](const Interaction& interaction, std::size_t i, std::size_t j, double mass) {
+    const double t = duration(interaction.law, mass, speed);
+    if (std::isfinite(t) && (stiffest.tcol == 0 || t < stiffest.tcol)) stiffest = {i, j, t};
+  };
+  const auto& s = setup.spheres;
+  for (const auto& [pair, interaction] : setup.interactions) {
+    const auto a = lightest.find(pair.first), b = lightest.find(pair.second);
+    if (a == lightest.end() || b == lightest.end()) continue;
+    const auto first = a->second.first, other = a == b ? a->second.second : b->second.first;
+    if (first && other) {
+      const double mi = s[*first].mass(), mj = s[*other].mass();
+      meet(interaction, *first, *other, mi * mj / (mi + mj));
+    }
+    for (const auto& [sphere, wall] : {std::pair(a->second.first, b->second.wall), std::pair(b->second.first, a->second.wall)})
+      if (sphere && wall) meet(interaction, *sphere, s.size() + *wall, s[*sphere].mass());
+  }
+  return stiffest;
+}
+
+void check(const ClusterSetup& setup) {
+  for (std::size_t i = 0; i < setup.spheres.size(); ++i) {
+    const Sphere& s = setup.spheres[i];
+    const std::string who = "sphere " + std::to_string(i + 1);
+    detail::require_positive((who + " radius").c_str(), s.radius);
+    detail::require_positive((who + " density").c_str(), s.density);
+    require_finite(who + " position", s.position);
+    require_finite(who + " velocity", s.velocity);
+    require_finite(who + " spin", s.spin);
+  }
+  for (std::size_t w = 0; w < setup.walls.size(); ++w) {
+    const std::string who = "wall " + std::to_string(w + 1);
+    require_finite(who + " point", setup.walls[w].point);
+    require_finite(who + " inward", setup.walls[w].inward);
+    detail::require_positive((who + " |inward|").c_str(), norm(setup.walls[w].inward));
+  }
+  require_finite("gravity", setup.gravity);
+  const auto meets = [&](std::size_t a, std::size_t b) {
+    const auto found = setup.interactions.find(std::minmax(a, b));
+    if (found == setup.interactions.end())
+      throw std::invalid_argument("materials " + std::to_string(a) + " and " + std::to_string(b) +
+                                  " can meet: must have an interaction");
+    if (const auto* f = std::get_if<Fractional>(&found->second.law))
+      detail::require(f->alpha() >= 0 && f->alpha() <= 1, "alpha", f->alpha(), "in [0, 1] for particles in motion");
+  };
+  const auto lightest = lightest_of(setup);
+  for (const auto& [a, of_a] : lightest)
+    for (const auto& [b, of_b] : lightest) {
+      if (b < a || !(of_a.first || of_b.first)) continue;
+      const bool spheres = a == b ? of_a.second.has_value() : of_a.first && of_b.first;
+      if (spheres || (of_a.first && of_b.wall) || (of_b.first && of_a.wall)) meets(a, b);
+    }
+}
+
+}  // namespace ricochet

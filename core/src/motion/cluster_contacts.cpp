@@ -1,0 +1,192 @@
+// How contacts of a cluster begin and end.
+#include <ricochet/motion/cluster.hpp>
+
+#include <ricochet/contact/mean_force.hpp>
+
+#include <algorithm>
+
+namespace ricochet {
+namespace {
+
+bool before(const ContactState& a, const ContactState& b) noexcept {
+  return std::pair(a.record.i, a.record.j) < std::pair(b.record.i, b.record.j);
+}
+
+// How long ago the distance |D − Vs| was R, for spheres that now overlap, D² < R²: the positive root of a quadratic.
+double time_since_touch(Vec3 D, Vec3 V, double R) noexcept {
+  const double along = -dot(D, V), depth = std::max(0.0, R * R - dot(D, D)), v2 = dot(V, V);
+  const double root = std::sqrt(along * along + v2 * depth);
+  return along + root > 0 ? depth / (along + root) : Encounter::never;
+}
+
+// The same for spheres that now are apart again.
+double time_since_separation(Vec3 D, Vec3 V, double R) noexcept {
+  const double along = dot(D, V), gap = std::max(0.0, dot(D, D) - R * R), v2 = dot(V, V);
+  const double root = std::sqrt(std::max(0.0, along * along - v2 * gap));
+  return along + root > 0 ? gap / (along + root) : 0.0;
+}
+
+}  // namespace
+
+void Cluster::list_candidates() {
+  candidates_.clear();
+  ++rebuilds_;
+  const auto pairs = neighbours_.pairs();
+  std::size_t k = 0;
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    for (; k < pairs.size() && pairs[k].i == i; ++k) candidates_.push_back(pairs[k]);
+    for (std::uint32_t w = 0; w < walls_.size(); ++w)
+      if (dot(state_.half_positions[i] - walls_[w].point, walls_[w].inward) <= radii_[i] + neighbours_.skin())
+        candidates_.push_back({i, static_cast<std::uint32_t>(size()) + w});
+  }
+}
+
+bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
+  if (j >= size()) return geometry(i, j).overlap > 0;
+  const Vec3 d = state_.half_positions[j] - state_.half_positions[i];
+  const double reach = radii_[i] + radii_[j];
+  return dot(d, d) < reach * reach;
+}
+
+void Cluster::find_touching() {
+  if (neighbours_.update(state_.half_positions)) list_candidates();
+  std::vector<ContactState> born;
+  auto known = state_.contacts.begin();
+  for (const NearPair& pair : candidates_) {
+    while (known != state_.contacts.end() && std::pair(known->record.i, known->record.j) < std::pair(pair.i, pair.j)) ++known;
+    if (known != state_.contacts.end() && known->record.i == pair.i && known->record.j == pair.j) continue;
+    if (touches(pair.i, pair.j)) born.push_back(begin_contact(pair.i, pair.j));
+  }
+  if (born.empty()) return;
+  const auto middle = static_cast<std::ptrdiff_t>(state_.contacts.size());
+  state_.contacts.insert(state_.contacts.end(), born.begin(), born.end());
+  std::inplace_merge(state_.contacts.begin(), state_.contacts.begin() + middle, state_.contacts.end(), before);
+}
+
+ContactState Cluster::begin_contact(std::uint32_t i, std::uint32_t j) const {
+  const double h = options_.step, middle = time() + 0.5 * h;
+  const Vec3 v = relative_velocity(i, j);
+  const ContactGeometry now = geometry(i, j);
+  const double longest = state_.steps == 0 ? 0.5 * h : h;  // nobody touched before time 0
+  ContactState c;
+  c.record.i = i, c.record.j = j;
+  c.model = model_of(i, j);
+  if (j < size()) {
+    const Vec3 d = state_.half_positions[j] - state_.half_positions[i];
+    c.lag = std::min(longest, time_since_touch(d, -v, radii_[i] + radii_[j]));
+    const Vec3 at_touch = d + c.lag * v;
+    const double distance = norm(at_touch);
+    c.approach = {radii_[i] + radii_[j] - distance, distance > 0 ? dot(v, at_touch) / distance : dot(v, now.normal)};
+  } else {
+    const double rate = dot(v, now.normal);
+    c.lag = rate > 0 ? std::min(longest, now.overlap / rate) : longest;
+    c.approach = {now.overlap - rate * c.lag, rate};
+  }
+  const bool overlapped_at_start = state_.steps == 0 && c.lag == longest;
+  if (!overlapped_at_start) c.approach.overlap = 0;  // what is left is rounding
+  c.record.begin = std::max(0.0, middle - c.lag);
+  c.record.phase_begin[static_cast<std::size_t>(Phase::compression)] = c.record.begin;
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        c.memory = typename Law::Memory{};
+        c.force = law.force(c.approach, typename Law::Memory{});
+      },
+      models_[c.model].law);
+  c.fresh = !overlapped_at_start;  // who rests on another since before time 0 has not just touched it
+  const Vec3 surface = now.arm_i * state_.spins[i] + now.arm_j * state_.spins[j];
+  c.speed_scale = norm(v) + norm(surface) + std::sqrt(norm(gravity_) * (now.arm_i + now.arm_j));
+  return c;
+}
+
+// From t_b to the end of the step the pair moves by itself, m ζ'' = −R, on a mesh graded towards t_b. Means of the
+// force over each part keep forces that start with a jump or like a power of time from spoiling the order.
+void Cluster::touch(ContactState& c, Row& row) {
+  constexpr int parts = 6;
+  const Model& model = models_[c.model];
+  const double length = c.lag + 0.5 * options_.step;
+  const bool clamped = model.end == ContactEnd::force;
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        auto& memory = std::get<typename Law::Memory>(c.memory);
+        Approach a = c.approach;
+        double force = law.force(a, memory), impulse = 0, loss = 0, t = 0;
+        for (int k = 1; k <= parts && (a.overlap > 0 || k == 1); ++k) {
+          const double to = length * k * k / double(parts * parts), dt = to - t;
+          const double applied = clamped ? std::max(0.0, force) : force;
+          const double guess = a.rate - 0.5 * applied * row.mobility_normal * dt;
+          const double mean = mean_force(law, a.overlap, guess, memory, dt);
+          const double push = clamped ? std::max(0.0, mean) : mean;
+          const double rate = a.rate - push * row.mobility_normal * dt, mid = 0.5 * (a.rate + rate);
+          const Approach next{a.overlap + mid * dt, rate};
+          const double before = law.stored_energy(a, memory);
+          law.advance(memory, a, next, dt);
+          const double after = law.stored_energy(next, memory), last = force;
+          force = law.force(next, memory);
+          impulse += push * dt;
+          loss += push * mid * dt - (after - before);
+          if (clamped && last > 0 && force <= 0) c.record.end = c.record.begin + t + dt * last / (last - force);
+          a = next, t = to;
+        }
+        c.approach = a, c.force = force;
+        c.stored = law.stored_energy(a, memory);
+        row.fixed_impulse = impulse, row.fixed_loss = loss;
+      },
+      model.law);
+  row.duration = 0;
+  c.lag = 0.5 * options_.step;
+}
+
+double Cluster::force_at_separation(const ContactState& c, double rate, double span) const {
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        auto memory = std::get<typename Law::Memory>(c.memory);
+        law.advance(memory, c.approach, {0, rate}, span);
+        return law.force({0, rate}, memory);
+      },
+      models_[c.model].law);
+}
+
+void Cluster::finish(ContactState& c, const ContactGeometry& g) {
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  const double h = options_.step;
+  const Vec3 v = relative_velocity(i, j);
+  const double rate = dot(v, g.normal);
+  double since = j < size() ? time_since_separation(state_.half_positions[j] - state_.half_positions[i], -v, radii_[i] + radii_[j])
+                            : (rate < 0 ? g.overlap / rate : 0.0);
+  since = std::min(since, h);
+  c.record.separation = time() + 0.5 * h - since;
+  if (c.record.end == Encounter::never) {
+    // From the memory's time to the separation the force is taken as linear; where it became attractive, (25) came first.
+    const double span = std::max(0.0, c.lag - since), at_separation = force_at_separation(c, rate, span);
+    const bool by_force = models_[c.model].end == ContactEnd::force && c.force > 0 && at_separation < 0;
+    c.record.end = c.record.separation - (by_force ? span * at_separation / (at_separation - c.force) : 0.0);
+    c.record.how = by_force ? EncounterEnd::deformed_rebound : EncounterEnd::elastic_rebound;
+    // The last impulse covered the time up to t_n; the force lasted until t_e.
+    const double rest = c.record.end - time();
+    const double slope = span > 0 ? (at_separation - c.force) / span : 0.0;
+    const double impulse = by_force ? -0.5 * slope * rest * std::max(0.0, rest) : at_separation * rest;
+    apply(c, g, impulse, {});
+    state_.lost_normal += impulse * rate;
+  }
+  state_.lost_normal += c.stored;  // what the memory still held is forgotten
+  finished_.push_back(c.record);
+}
+
+void Cluster::drop_separated() {
+  std::size_t kept = 0;
+  auto& contacts = state_.contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const ContactGeometry g = geometry(contacts[k].record.i, contacts[k].record.j);
+    if (g.overlap > 0) {
+      rows_[kept].geometry = g;
+      if (kept != k) contacts[kept] = std::move(contacts[k]);
+      ++kept;
+    } else {
+      finish(contacts[k], g);
+    }
+  }
+  contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(kept), contacts.end());
+  rows_.resize(kept);
+}
+
+}  // namespace ricochet

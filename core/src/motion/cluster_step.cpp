@@ -1,0 +1,270 @@
+// One step of a cluster: the impulses of all contacts together.
+#include <ricochet/motion/cluster.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace ricochet {
+
+void Cluster::step() {
+  find_touching();
+  rows_.resize(state_.contacts.size());
+  drop_separated();
+  prepare_rows();
+  kick_by_fields();
+  solve();
+  conclude();
+  for (std::size_t i = 0; i < size(); ++i) state_.half_positions[i] += options_.step * state_.velocities[i];
+  ++state_.steps;
+}
+
+void Cluster::kick_by_fields() {
+  const double h = options_.step;
+  for (std::size_t i = 0; i < size(); ++i) state_.velocities[i] += h * gravity_;
+  if (!long_range_) return;
+  field_forces_.assign(size(), {});
+  long_range_(time() + 0.5 * h, state_.half_positions, field_forces_);
+  for (std::size_t i = 0; i < size(); ++i) {
+    // Work on the velocity in the middle of its own kick; what other forces add to it meets F again as O(h²).
+    const Vec3 change = h * inverse_mass_[i] * field_forces_[i];
+    state_.long_range_work += h * dot(field_forces_[i], state_.velocities[i] + 0.5 * change);
+    state_.velocities[i] += change;
+  }
+}
+
+SlipMotion Cluster::slip_motion(const ContactState& c, const ContactGeometry& g) const noexcept {
+  const Vec3 wi = state_.spins[c.record.i], wj = state_.spins[c.record.j];
+  const Vec3 v = relative_velocity(c.record.i, c.record.j);
+  return {tangential(v, g.normal) + cross(g.arm_i * wi + g.arm_j * wj, g.normal),  // Eq. (9)
+          dot(wi - wj, g.normal), cross(wi - wj, g.normal)};
+}
+
+namespace {
+
+// What u_t gains over half a step while the normal turns and the branches shorten, velocities staying as they are.
+// Sticking then holds at the step's end, not half a step late.
+Vec3 turning(const ContactGeometry& g, Vec3 v, Vec3 wi, Vec3 wj, bool wall, double half_step) noexcept {
+  const double rate = dot(v, g.normal), d = g.arm_i + g.arm_j;
+  if (wall) return half_step * -0.5 * rate * cross(wi, g.normal);
+  if (!(d > 0)) return {};
+  const Vec3 across = tangential(v, g.normal), normal_rate = -across / d;
+  const double rate_i = -rate * (1 - g.arm_i / d), rate_j = -rate * (1 - g.arm_j / d);
+  const Vec3 arms = g.arm_i * wi + g.arm_j * wj;
+  return half_step * (rate / d * across + cross(rate_i * wi + rate_j * wj, g.normal) +
+                      dot(arms, g.normal) * cross(g.normal, normal_rate));
+}
+
+}  // namespace
+
+void Cluster::prepare_rows() {
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    ContactState& c = state_.contacts[k];
+    Row& row = rows_[k];
+    const ContactGeometry& g = row.geometry;
+    const std::uint32_t i = c.record.i, j = c.record.j;
+    const double mi = inverse_mass_[i], mj = inverse_mass_[j], ji = inverse_inertia_[i], jj = inverse_inertia_[j];
+    const Vec3 v = relative_velocity(i, j);
+    row.mobility_normal = mi + mj;
+    row.mobility = {mi + mj + g.arm_i * g.arm_i * ji + g.arm_j * g.arm_j * jj, g.arm_i * ji - g.arm_j * jj, ji + jj};
+    row.rate_before = dot(v, g.normal);
+    row.before = slip_motion(c, g);
+    row.turning = turning(g, v, state_.spins[i], state_.spins[j], j >= size(), 0.5 * options_.step);
+    row.fixed_loss = 0;
+    if (c.fresh) touch(c, row);
+    else prepare_normal(c, row);
+    // The last step's impulses are the guess for this one.
+    row.impulse = row.duration > 0 ? c.normal_impulse : row.fixed_impulse;
+    row.friction = {};
+    row.friction.impulse = c.friction;
+    row.friction.impulse.sliding = tangential(c.friction.sliding, g.normal);
+    row.friction.impulse.rolling = tangential(c.friction.rolling, g.normal);
+  }
+}
+
+void Cluster::prepare_normal(const ContactState& c, Row& row) const {
+  const Model& model = models_[c.model];
+  const bool silent = options_.reclosing == Reclosing::silent && c.record.end != Encounter::never;
+  row.duration = silent ? 0 : options_.step;
+  row.fixed_impulse = 0;
+  row.rate_guess = row.rate_before;
+  const double overlap = row.geometry.overlap;
+  const Approach at{overlap, row.rate_guess};
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        const auto& memory = std::get<typename Law::Memory>(c.memory);
+        if constexpr (std::same_as<typename Law::Memory, NoMemory>) {
+          row.force_guess = law.force(at, memory);
+          row.gain = law.force({overlap, 1}, memory) - law.force({overlap, 0}, memory);
+        } else {
+          auto trial = memory;
+          law.advance(trial, c.approach, at, c.lag);
+          row.force_guess = law.force(at, trial);
+          row.gain = model.gain;
+          if (std::same_as<Law, FractionalArms> && c.lag != options_.step) {
+            trial = {};
+            law.advance(trial, {}, {0, 1}, c.lag);
+            row.gain = law.force({0, 1}, trial);
+          }
+        }
+      },
+      model.law);
+}
+
+void Cluster::apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept {
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  const Vec3 linear = f.sliding - normal * g.normal;
+  const Vec3 lever = cross(g.normal, f.sliding), couple = f.torsion * g.normal + cross(g.normal, f.rolling);
+  state_.velocities[i] += inverse_mass_[i] * linear;
+  state_.velocities[j] -= inverse_mass_[j] * linear;
+  state_.spins[i] += inverse_inertia_[i] * (g.arm_i * lever + couple);
+  state_.spins[j] += inverse_inertia_[j] * (g.arm_j * lever - couple);
+}
+
+double Cluster::normal_impulse(const ContactState& c, const Row& row, double rate_free) const noexcept {
+  if (row.duration == 0) return row.fixed_impulse;
+  // R in the middle of the step, implicit in the mean rate: affine in it for every law here.
+  const double h = row.duration;
+  const double explicit_force = row.force_guess + row.gain * (0.5 * (row.rate_before + rate_free) - row.rate_guess);
+  const double force = explicit_force / (1 + 0.5 * h * row.gain * row.mobility_normal);
+  if (models_[c.model].end == ContactEnd::overlap) return h * force;
+  // Only what repels counts. Over the step R is taken as linear; where it changes sign, the triangle remains.
+  const double slope = (force - c.force) / c.lag;
+  const double first = force - 0.5 * h * slope, last = force + 0.5 * h * slope;
+  if (first >= 0 && last >= 0) return h * force;
+  if (first <= 0 && last <= 0) return 0;
+  const double peak = std::max(first, last);
+  return 0.5 * peak * peak / std::abs(slope);
+}
+
+namespace {
+
+FrictionImpulse operator-(const FrictionImpulse& a, const FrictionImpulse& b) noexcept {
+  return {a.sliding - b.sliding, a.torsion - b.torsion, a.rolling - b.rolling};
+}
+
+}  // namespace
+
+// Solves one contact, all others as they are; returns the change of its impulses [N s].
+double Cluster::relax(ContactState& c, Row& row) noexcept {
+  const ContactGeometry& g = row.geometry;
+  const Vec3 v = relative_velocity(c.record.i, c.record.j);
+  const double rate_free = dot(v, g.normal) + row.mobility_normal * row.impulse;
+  const double normal = normal_impulse(c, row, rate_free);
+  const double change = normal - row.impulse;
+  row.impulse = normal;
+  const Friction& friction = models_[c.model].friction;
+  if (friction.mu_static() == 0) {
+    apply(c, g, change, {});
+    return std::abs(change);
+  }
+  const FrictionImpulse last = row.friction.impulse;
+  const SlipMobility& m = row.mobility;
+  SlipMotion free = slip_motion(c, g);
+  free.slip -= m.slip * last.sliding + m.cross * last.rolling;
+  free.roll -= m.cross * last.sliding + m.roll * last.rolling;
+  free.spin -= m.roll * last.torsion;
+  row.friction = friction_impulse(friction, {std::max(0.0, normal), g.radius, m, row.before, free, row.turning}, last);
+  const FrictionImpulse delta = row.friction.impulse - last;
+  apply(c, g, change, delta);
+  const double arm = g.arm_i + g.arm_j;
+  const double couples = arm > 0 ? (std::abs(delta.torsion) + norm(delta.rolling)) / arm : 0;
+  return std::abs(change) + norm(delta.sliding) + couples;
+}
+
+void Cluster::solve() {
+  for (std::size_t k = 0; k < rows_.size(); ++k)
+    apply(state_.contacts[k], rows_[k].geometry, rows_[k].impulse, rows_[k].friction.impulse);
+  converged_ = false;
+  for (sweeps_ = 0; sweeps_ < options_.max_sweeps && !converged_; ++sweeps_) {
+    double change = 0, greatest = 0;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      change = std::max(change, relax(state_.contacts[k], rows_[k]));
+      greatest = std::max(greatest, rows_[k].impulse);
+    }
+    converged_ = change <= options_.solver_tolerance * greatest;
+  }
+}
+
+void Cluster::conclude() {
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    ContactState& c = state_.contacts[k];
+    const Row& row = rows_[k];
+    const double rate_after = dot(relative_velocity(c.record.i, c.record.j), row.geometry.normal);
+    const SlipMotion after = slip_motion(c, row.geometry);
+    conclude_friction(c, row, after);
+    note_phases(c, row, 0.5 * (row.rate_before + rate_after), after);
+    conclude_normal(c, row, rate_after);
+  }
+}
+
+// Advances the memory to the middle of the step and books the normal energies. The work of the impulse is what the
+// law stores, what its dashpots burn, and what the clamp at zero withholds; each is of second order.
+void Cluster::conclude_normal(ContactState& c, const Row& row, double rate_after) {
+  const double h = options_.step, rate = 0.5 * (row.rate_before + rate_after);
+  c.normal_impulse = row.impulse;
+  if (std::exchange(c.fresh, false)) {
+    state_.lost_normal += row.fixed_loss;
+    if (c.record.end != Encounter::never) c.record.how = EncounterEnd::deformed_rebound;
+    return;
+  }
+  const Approach at{row.geometry.overlap, rate};
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        auto& memory = std::get<typename Law::Memory>(c.memory);
+        law.advance(memory, c.approach, at, c.lag);
+        const double force = law.force(at, memory), burnt = law.dissipated_power(at, memory);
+        // Past the clamp the law's own balance no longer describes the motion: the arms go on being stretched, but by
+        // nobody, so what is stored counts only as far as it falls.
+        const bool clamped = force <= 0 && models_[c.model].end == ContactEnd::force;
+        double stored = law.stored_energy(at, memory);
+        stored = clamped ? std::min(stored, c.stored) : stored + 0.5 * h * (force * rate - burnt);
+        const bool closes = !clamped && c.force > 0 && row.duration > 0;
+        state_.lost_normal += closes ? h * burnt + (row.impulse - h * force) * rate : row.impulse * rate - (stored - c.stored);
+        c.stored = stored;
+        if (models_[c.model].end == ContactEnd::force && c.record.end == Encounter::never && c.force > 0 && force <= 0) {
+          const double middle = time() + 0.5 * h;
+          c.record.end = middle - c.lag * force / (force - c.force);
+          const double still = 1e-9 * c.speed_scale;
+          c.record.how = std::abs(rate) > still           ? EncounterEnd::deformed_rebound
+                         : norm(row.before.slip) > still  ? EncounterEnd::dynamic_contact
+                                                          : EncounterEnd::static_contact;
+        }
+        c.force = force;
+      },
+      models_[c.model].law);
+  c.approach = at;
+  c.lag = h;
+}
+
+void Cluster::conclude_friction(ContactState& c, const Row& row, const SlipMotion& after) {
+  const FrictionImpulse& f = row.friction.impulse;
+  c.friction = f;
+  state_.lost_friction -= 0.5 * (dot(f.sliding, row.before.slip + after.slip) + f.torsion * (row.before.spin + after.spin) +
+                                 dot(f.rolling, row.before.roll + after.roll));
+}
+
+void Cluster::note_phases(ContactState& c, const Row& row, double rate_mid, const SlipMotion& after) const {
+  const double h = options_.step, start = std::max(time(), c.record.begin), still = 1e-9 * c.speed_scale;
+  const auto enter = [&](Phase phase, double when) {
+    double& begin = c.record.phase_begin[static_cast<std::size_t>(phase)];
+    begin = std::min(begin, when);
+  };
+  if (rate_mid < 0) {
+    // Between the time of the last approach and the middle of this step the rate went through zero.
+    const double middle = time() + 0.5 * h, past = c.approach.rate;
+    const bool turned = past > 0 && !c.fresh;
+    enter(Phase::decompression, turned ? middle - c.lag * rate_mid / (rate_mid - past) : start);
+  }
+  const double reach = row.geometry.arm_i + row.geometry.arm_j;
+  if (std::abs(after.spin) * reach > still) enter(Phase::torsion, start);
+  const bool slid = norm(row.before.slip) > still;
+  if (!row.friction.sticks) {
+    if (slid || norm(after.slip) > still) enter(Phase::sliding, start);
+    return;
+  }
+  if (slid) enter(Phase::sliding, start);
+  const bool rolls = norm(after.roll) * reach > still;
+  enter(rolls ? Phase::rolling : Phase::rest, start + row.friction.slip_fraction * (time() + h - start));
+}
+
+}  // namespace ricochet

@@ -1,0 +1,124 @@
+#include <catch2/catch.hpp>
+#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/motion/collision.hpp>
+
+#include "scenes.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+
+namespace {
+
+struct Outcome {
+  double en, tcol;
+  double energy_error;  // worst |total − initial|/initial
+};
+
+// Two spheres head on along (1, 2, 2)/3, the gap such that the touch falls inside a step.
+Outcome head_on(const AnyLaw& law, ContactEnd end, double step, double duration) {
+  ClusterSetup setup = with_law(law, {}, end);
+  const Vec3 e{1.0 / 3, 2.0 / 3, 2.0 / 3};
+  const double r = 1.5e-3, v0 = 0.5;
+  setup.spheres.push_back({r, 1000, {}, 0.5 * v0 * e});
+  setup.spheres.push_back({r, 1000, (2 * r + 2.37e-7) * e, -0.5 * v0 * e});
+  Cluster cluster(setup, {.step = step, .longest_contact = duration});
+  const double start = cluster.energy().total();
+  Outcome o{0, 0, 0};
+  double begin = 0, end_time = Encounter::never;
+  while (cluster.time() < duration && end_time == Encounter::never) {
+    cluster.step();
+    for (const ContactState& c : cluster.contacts()) begin = c.record.begin, end_time = c.record.end;
+    for (const Encounter& e : cluster.take_finished()) begin = e.begin, end_time = e.end;
+    o.energy_error = std::max(o.energy_error, std::abs(cluster.energy().total() / start - 1));
+  }
+  REQUIRE(end_time < duration);
+  o.en = dot(cluster.velocity(1) - cluster.velocity(0), e) / v0;
+  o.tcol = end_time - begin;
+  return o;
+}
+
+constexpr double mass_eff = 7.068583470577035e-06;  // (4/3)π(1.5e-3)³·1000/2
+
+// The worst error of e_n, t_col and the energy balance at tcol/step = n, 2n, 4n, over places of the touch in a step.
+std::array<double, 3> errors(const AnyLaw& law, ContactEnd end, double en, double tcol, int n, int places) {
+  std::array<double, 3> worst{};
+  for (std::size_t k = 0; k < worst.size(); ++k)
+    for (int place = 0; place < places; ++place) {
+      const double step = (1 + 0.013 * place) * tcol / (n << k);
+      const Outcome o = head_on(law, end, step, 5 * tcol);
+      worst[k] = std::max({worst[k], std::abs(o.en - en), std::abs(o.tcol / tcol - 1), o.energy_error});
+    }
+  return worst;
+}
+
+void check_order(const std::array<double, 3>& error, double least) {
+  CAPTURE(error[0], error[1], error[2]);
+  const double order = std::log2(error[0] / error[2]) / 2;
+  CHECK(order > least - 0.2);
+  CHECK(order < 2.2);
+  CHECK(error[2] < 1e-3);
+}
+
+}  // namespace
+
+TEST_CASE("two spheres head on reproduce the binary collision at second order") {
+  const auto [law, end] = GENERATE(table<AnyLaw, ContactEnd>({{Linear(5211.5, 0.098), ContactEnd::force},
+                                                              {Linear(7316, 0.098), ContactEnd::overlap},
+                                                              {Linear(5000, 0), ContactEnd::force},
+                                                              {Hysteretic(3924, 15697), ContactEnd::force},
+                                                              {KuwabaraKono(1389289, 33.845), ContactEnd::force},
+                                                              {Tsuji(1389289, 1.5), ContactEnd::force}}));
+  CAPTURE(std::string(name(law)));
+  const Collision exact = std::visit(
+      [&, how = end]<class Law>(const Law& l) {
+        if constexpr (std::same_as<Law, Fractional>) return Collision{};
+        else return collide(l, {0.5, mass_eff}, {.end = how});
+      },
+      law);
+  check_order(errors(law, end, exact.en, exact.tcol, 50, 12), 2);
+}
+
+// The force starts like t^{1−α}: order 2−α at worst, 2 as long as that error is the smaller one (see cluster.hpp).
+TEST_CASE("fractional spheres head on reproduce the closed form at order 2-alpha or better") {
+  const double alpha = GENERATE(0.01, 0.3196786, 0.7, 0.97);
+  CAPTURE(alpha);
+  const FractionalContact exact = fractional_contact(alpha);
+  const double tcol = 1e-4, coefficient = mass_eff * exact.z_star / std::pow(tcol, 2 - alpha);
+  // k = c in their units makes c^α k^{1−α} that coefficient.
+  check_order(errors(Fractional(coefficient, coefficient, alpha), ContactEnd::force, exact.en, tcol, 100, 2), 2 - alpha);
+}
+
+TEST_CASE("a setup or option that makes no sense is named") {
+  ClusterSetup setup = with_law(Linear(1000, 1));
+  setup.spheres.push_back({0.01, 1000, {}, {}, {}, 0});
+  CHECK_THROWS_WITH(Cluster(setup, {}), "step = 0: must be finite and > 0");
+  setup.spheres.push_back({-0.01, 1000, {}, {}, {}, 0});
+  CHECK_THROWS_WITH(Cluster(setup, {.step = 1e-5}), "sphere 2 radius = -0.01: must be finite and > 0");
+  setup.spheres.back() = {0.01, 1000, {}, {}, {}, 1};
+  CHECK_THROWS_WITH(Cluster(setup, {.step = 1e-5}), Catch::Contains("materials 0 and 1"));
+  CHECK_THROWS_AS(box_walls({0, 0, 0}, {1, 1, 0}), std::invalid_argument);
+}
+
+TEST_CASE("the literal reading lets a pair fall silent until it has separated, the default repels again") {
+  // A third sphere from behind pushes the first back into the second, whose force has just fallen to zero.
+  const auto run = [](Reclosing reclosing) {
+    double greatest = 0;
+    for (double gap : {2e-5, 6e-5, 1.2e-4}) {
+      ClusterSetup setup = with_law(Linear(5000, 0.5));
+      const double r = 1.5e-3;
+      setup.spheres.push_back({r, 1000, {0, 0, 0}, {0.5, 0, 0}});
+      setup.spheres.push_back({r, 1000, {2 * r + 1e-7, 0, 0}, {}});
+      setup.spheres.push_back({r, 1000, {-2 * r - gap, 0, 0}, {0.9, 0, 0}});
+      Cluster cluster(setup, {.step = 5e-7, .reclosing = reclosing});
+      for (int n = 0; n < 2000; ++n) {
+        cluster.step();
+        for (const ContactState& c : cluster.contacts())
+          if (c.record.i == 0 && c.record.j == 1 && c.record.end < cluster.time() - 1e-6)
+            greatest = std::max(greatest, c.normal_impulse);
+      }
+    }
+    return greatest;
+  };
+  CHECK(run(Reclosing::silent) == 0);
+  CHECK(run(Reclosing::repels) > 0);
+}

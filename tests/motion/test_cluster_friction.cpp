@@ -1,0 +1,170 @@
+#include <catch2/catch.hpp>
+
+#include "scenes.hpp"
+
+#include <numbers>
+
+using namespace ricochet;
+using namespace ricochet::test;
+
+namespace {
+
+constexpr double r = 0.01, density = 2000, g = 9.81;
+
+// A sphere that rests on a wall inclined by `slope`, at the overlap where its weight is borne.
+struct Incline {
+  ClusterSetup setup;
+  Vec3 downhill{1, 0, 0}, up{0, 0, 1};
+
+  Incline(double slope, Friction friction, double stiffness) : setup(with_law(Linear(stiffness, 0), friction)) {
+    setup.gravity = g * Vec3{std::sin(slope), 0, -std::cos(slope)};
+    setup.walls.push_back({{0, 0, 0}, {0, 0, 1}});
+    Sphere s{r, density, {}, {}, {}, 0};
+    s.position.z = r - s.mass() * g * std::cos(slope) / stiffness;
+    setup.spheres.push_back(s);
+  }
+};
+
+double coast(const ClusterSetup& setup, double step, double duration, auto&& observe) {
+  Cluster cluster(setup, {.step = step});
+  while (cluster.time() < duration) {
+    cluster.step();
+    observe(cluster);
+  }
+  return cluster.time();
+}
+
+}  // namespace
+
+TEST_CASE("a sliding sphere rolls with 5/7 of its speed from t = 2v/(7 mu g) on") {
+  const double mu = 0.3, v = 0.4;
+  Incline plane(0, Friction(mu, mu, 0, 0), 1e6);  // stiff: the arm of friction is r to 1e-6
+  plane.setup.spheres[0].velocity = {0.6 * v, 0.8 * v, 0};
+  Cluster cluster(plane.setup, {.step = 1e-4});
+  REQUIRE(cluster.advance(1000));
+  CHECK(norm(cluster.velocity(0)) == Approx(5.0 / 7 * v).epsilon(1e-5));
+  CHECK(r * norm(cluster.spin(0)) == Approx(5.0 / 7 * v).epsilon(1e-5));
+  const auto& phases = cluster.contacts()[0].record.phase_begin;
+  CHECK(phases[std::size_t(Phase::sliding)] == 0);
+  CHECK(phases[std::size_t(Phase::rolling)] == Approx(2 * v / (7 * mu * g)).epsilon(1e-5));  // well within a step
+  // From there it rolls for ever, and friction takes nothing more.
+  const double lost = cluster.energy().lost_friction;
+  const Vec3 before = cluster.velocity(0);
+  REQUIRE(cluster.advance(1000));
+  CHECK(norm(cluster.velocity(0) - before) < 1e-13 * v);
+  CHECK(cluster.energy().lost_friction == Approx(lost).epsilon(1e-12));
+}
+
+TEST_CASE("a spinning top slows by (2/3) mu a N/J") {
+  const double mu = 0.4, stiffness = 2000;
+  Incline plane(0, Friction(mu, mu, 0), stiffness);
+  plane.setup.spheres[0].spin = {0, 0, 100};
+  const Sphere& s = plane.setup.spheres[0];
+  const double overlap = s.mass() * g / stiffness, a = std::sqrt(overlap * (2 * r - overlap));
+  Cluster cluster(plane.setup, {.step = 1e-4});
+  REQUIRE(cluster.advance(500));
+  CHECK(cluster.spin(0).z == Approx(100 - 2.0 / 3 * mu * a * s.mass() * g / s.inertia() * 0.05).epsilon(1e-12));
+  CHECK(norm(cluster.velocity(0)) < 1e-14);
+}
+
+TEST_CASE("sliding and spinning at once end together, friction weaker than of either alone") {
+  const double mu = 0.3;
+  Incline plane(0, Friction(mu, mu, 0, 0), 500);
+  plane.setup.spheres[0].velocity = {0.1, 0, 0};
+  plane.setup.spheres[0].spin = {0, 0, 400};
+  // As m_t a²/J = (5/7)(a/r)² < 3/2, λ tends to 0: the slip dies with the spin as a power of it, never before.
+  double spin_at_rest = 0;
+  Cluster cluster(plane.setup, {.step = 1e-4});
+  bool stuck = false;
+  cluster.step();  // the elastic energy at rest counts from here
+  double last_energy = cluster.energy().mechanical();
+  for (int n = 0; n < 100000 && !stuck; ++n) {
+    const double spin_before = cluster.spin(0).z;
+    cluster.step();
+    const double energy = cluster.energy().mechanical();
+    REQUIRE(energy <= last_energy * (1 + 1e-14));
+    last_energy = energy;
+    const auto& phases = cluster.contacts()[0].record.phase_begin;
+    stuck = phases[std::size_t(Phase::rolling)] != Encounter::never || phases[std::size_t(Phase::rest)] != Encounter::never;
+    if (stuck) spin_at_rest = spin_before;
+  }
+  REQUIRE(stuck);
+  CHECK(std::abs(cluster.spin(0).z) < 1e-12);
+  const double per_step = 2.0 / 3 * mu * 0.01 * plane.setup.spheres[0].mass() * g / plane.setup.spheres[0].inertia() * 1e-4;
+  CHECK(spin_at_rest < per_step);  // no more than one step's loss was left when the slip ended
+}
+
+TEST_CASE("a sphere on a slope stays put to rounding where friction and rolling resistance can hold it") {
+  // Soft contact, wide arm: rolling resistance holds while tan(slope) < ρa/|s|.
+  Incline plane(0.2, Friction(0.5, 0.5, 0, 3), 400);
+  Cluster cluster(plane.setup, {.step = 1e-4});
+  const Vec3 start = cluster.position(0);
+  double worst = 0;
+  for (int n = 0; n < 20000; ++n) {
+    cluster.step();
+    worst = std::max(worst, norm(cluster.velocity(0)) + r * norm(cluster.spin(0)));
+  }
+  CHECK(norm(cluster.position(0) - start) < 1e-14);
+  CHECK(worst < 1e-13);
+  CHECK(cluster.contacts()[0].record.phase_begin[std::size_t(Phase::rest)] == Approx(0).margin(1e-15));
+  CHECK(cluster.contacts()[0].record.phase_begin[std::size_t(Phase::sliding)] == Encounter::never);
+}
+
+TEST_CASE("down a slope a sphere rolls with (5/7) g sin, slides with g (sin - mu cos)") {
+  const double mu = 0.2;
+  const Friction plain(mu, mu, 0, 0);
+  const auto acceleration = [&](double slope) {
+    const Incline plane(slope, plain, 1e6);
+    Vec3 v;
+    const double t = coast(plane.setup, 1e-4, 0.05, [&](const Cluster& c) { v = c.velocity(0); });
+    return v.x / t;
+  };
+  const double gentle = std::atan(3.4 * mu), steep = std::atan(3.6 * mu);  // rolling needs tan ≤ 3.5 μ
+  CHECK(acceleration(gentle) == Approx(5.0 / 7 * g * std::sin(gentle)).epsilon(1e-5));
+  CHECK(acceleration(steep) == Approx(g * (std::sin(steep) - mu * std::cos(steep))).epsilon(1e-5));
+}
+
+TEST_CASE("nothing chatters: a sphere that comes to rest has a slip that only falls, then is zero") {
+  Incline plane(0, Friction(0.4, 0.2, 3, 1), 500);
+  plane.setup.spheres[0].velocity = {0.3, 0, 0};
+  plane.setup.spheres[0].spin = {5, -3, 20};
+  double last = 1e300, last_energy = 1e300;
+  Cluster cluster(plane.setup, {.step = 2e-4});
+  for (int n = 0; n < 20000; ++n) {
+    cluster.step();
+    const Sphere& s = plane.setup.spheres[0];
+    const ContactGeometry c = sphere_wall(cluster.position(0), r, {}, {0, 0, 1});
+    const Vec3 slip = tangential(cluster.velocity(0), c.normal) + cross(c.arm_i * cluster.spin(0), c.normal);
+    REQUIRE(norm(slip) <= last + 1e-14);
+    last = norm(slip);
+    const double energy = cluster.energy().kinetic / s.mass();
+    REQUIRE(energy <= last_energy + 1e-15);
+    last_energy = energy;
+  }
+  CHECK(last < 1e-14);
+  CHECK(norm(cluster.velocity(0)) < 1e-13);
+  CHECK(norm(cluster.spin(0)) < 1e-11);
+}
+
+TEST_CASE("an oblique impact tends to the rigid sphere's sliding and sticking rebound") {
+  // Rigid: normal impulse (1+e) m v_n; tangential μ of it while sliding lasts, else what ends the slip, (2/7) m u.
+  const auto rebound = [](double vt, double mu, double stiffness) {
+    ClusterSetup setup = with_law(Linear(stiffness, 0), Friction(mu, mu, 0, 0));
+    setup.walls.push_back({{0, 0, 0}, {0, 0, 1}});
+    Sphere s{r, density, {0, 0, r + 1e-7}, {vt, 0, -1}, {}, 0};
+    setup.spheres.push_back(s);
+    const double tcol = std::numbers::pi * std::sqrt(s.mass() / stiffness);
+    Cluster cluster(setup, {.step = tcol / 300});
+    REQUIRE(cluster.advance(500));
+    REQUIRE(cluster.contacts().empty());
+    CHECK(cluster.velocity(0).z == Approx(1).epsilon(2e-4));
+    return std::pair(cluster.velocity(0).x, cluster.spin(0).y);
+  };
+  const double hard = 1e10;  // overlap/r about 1e-4
+  const auto [v_slide, w_slide] = rebound(2.0, 0.1, hard);
+  CHECK(v_slide == Approx(2.0 - 0.1 * 2).epsilon(1e-4));
+  CHECK(w_slide == Approx(2.5 * 0.1 * 2 / r).epsilon(2e-3));
+  const auto [v_stick, w_stick] = rebound(0.5, 0.5, hard);
+  CHECK(v_stick == Approx(5.0 / 7 * 0.5).epsilon(1e-3));
+  CHECK(w_stick * r == Approx(5.0 / 7 * 0.5).epsilon(1e-3));
+}
