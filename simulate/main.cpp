@@ -1,0 +1,53 @@
+#include <simulate/run.hpp>
+
+#include <console/exit.hpp>
+#include <console/number.hpp>
+#include <console/program.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+using namespace ricochet;
+
+// What a shell reports of a program that SIGINT ended.
+constexpr auto interrupted = static_cast<console::Exit>(130);
+
+std::string read_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf())) throw console::BadInput(path + ": cannot be read; must be a scene file");
+  return text.str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Moves the spheres of a scene file and writes trajectories, collisions and energies.\n"
+               "Writes trajectory.xyz (extended XYZ, opened by OVITO), contacts.csv, energy.csv and state.json.\n"
+               "docs/scenes.md describes scene files; data/scenes/ holds some.",
+               "simulate"};
+  console::add_version(app);
+  std::string file, folder;
+  bool resume = false;
+  app.add_option("SCENE", file, "the scene file (JSON)")->required();
+  app.add_option("-o,--output", folder, "the folder to write to, made if missing")->required();
+  app.add_flag("--resume", resume, "go on with an interrupted run in that folder");
+  return console::run_program(app, argc, argv, [&] {
+    const simulate::Scene scene = simulate::read_scene(file, read_file(file));
+    std::fprintf(stderr, "simulate: %zu spheres, %zu walls, %llu steps of %s s%s\n", scene.setup.spheres.size(),
+                 scene.setup.walls.size(), static_cast<unsigned long long>(scene.steps),
+                 console::significant(scene.options.step, 4).c_str(),
+                 scene.stiffest.tcol > 0
+                     ? (", the shortest collision takes about " + console::significant(scene.stiffest.tcol, 3) + " s").c_str()
+                     : "");
+    if (simulate::run(scene, folder, resume) == simulate::Outcome::complete) return console::Exit::done;
+    std::fprintf(stderr, "simulate: stopped, all written; go on with: simulate %s -o %s --resume\n", file.c_str(),
+                 folder.c_str());
+    return interrupted;
+  });
+}

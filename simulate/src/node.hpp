@@ -1,0 +1,47 @@
+#pragma once
+
+#include <console/json.hpp>
+#include <ricochet/contact/vec3.hpp>
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace ricochet::simulate {
+
+/// A value of the scene that knows its place: every complaint names the JSON path.
+class Node {
+ public:
+  Node(std::string file, const console::Json& json) : file_(std::move(file)), json_(&json) {}
+
+  /// Throws BadInput "file: /path = value: must be <accepted>".
+  [[noreturn]] void reject(std::string_view accepted) const;
+  /// Throws BadInput "file: /path: <message>".
+  [[noreturn]] void complain(std::string_view message) const;
+
+  /// An object with no key but these.
+  void allow(std::initializer_list<std::string_view> keys) const;
+  bool has(const std::string& key) const { return json_->is_object() && json_->contains(key); }
+  Node at(const std::string& key) const;  ///< missing: "missing; must be given"
+  Node at(std::size_t index) const;
+  std::size_t size() const;  ///< of an array
+
+  double number() const;    ///< finite
+  double positive() const;
+  double not_negative() const;
+  std::string text() const;
+  std::string one_of(std::initializer_list<std::string_view> accepted) const;
+  Vec3 vector() const;  ///< [x, y, z]
+  const console::Json& json() const { return *json_; }
+  const std::string& file() const { return file_; }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string file_, path_;
+  const console::Json* json_;
+};
+
+/// Parses JSON; syntax errors and repeated keys are reported with line and column.
+console::Json parse(const std::string& file, const std::string& text);
+
+}  // namespace ricochet::simulate

@@ -1,0 +1,90 @@
+#include "outputs.hpp"
+
+#include <console/exit.hpp>
+#include <console/number.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <unistd.h>
+
+namespace ricochet::simulate {
+namespace {
+
+using console::shortest;
+
+void add(std::string& line, Vec3 v) {
+  for (double c : {v.x, v.y, v.z}) line += ' ' + shortest(c);
+}
+
+std::string finite_or_empty(double value) { return std::isfinite(value) ? shortest(value) : ""; }
+
+}  // namespace
+
+// The property names that OVITO maps to particle properties by itself.
+std::string frame_xyz(const Scene& scene, const Cluster& cluster) {
+  std::string frame = std::to_string(cluster.size()) +
+                      "\nProperties=species:S:1:pos:R:3:radius:R:1:mass:R:1:velo:R:3:angular_velocity:R:3 Time=" +
+                      shortest(cluster.time()) + " pbc=\"F F F\"\n";
+  for (std::size_t i = 0; i < cluster.size(); ++i) {
+    const Sphere& s = scene.setup.spheres[i];
+    frame += "m" + std::to_string(s.material);
+    add(frame, cluster.position(i));
+    frame += ' ' + shortest(s.radius) + ' ' + shortest(s.mass());
+    add(frame, cluster.velocity(i));
+    add(frame, cluster.spin(i));
+    frame += '\n';
+  }
+  return frame;
+}
+
+std::string energy_header() {
+  return "t [s],kinetic [J],gravity [J],stored [J],lost_normal [J],lost_friction [J],total [J],contacts\n";
+}
+
+std::string energy_row(const Cluster& cluster) {
+  const ClusterEnergy e = cluster.energy();
+  std::string row = shortest(cluster.time());
+  for (double v : {e.kinetic, e.gravity, e.stored, e.lost_normal, e.lost_friction, e.total()}) row += ',' + shortest(v);
+  return row + ',' + std::to_string(cluster.contacts().size()) + '\n';
+}
+
+std::string contact_header() { return "i,j,t_begin [s],t_end [s],t_separation [s],ended,phases\n"; }
+
+std::string contact_row(const Scene& scene, const Encounter& e) {
+  std::array<std::size_t, phase_count> order{};
+  for (std::size_t k = 0; k < phase_count; ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return e.phase_begin[a] < e.phase_begin[b]; });
+  std::string phases;
+  for (std::size_t k : order)
+    if (std::isfinite(e.phase_begin[k]))
+      phases += (phases.empty() ? "" : "; ") + std::string(name(static_cast<Phase>(k))) + " " + shortest(e.phase_begin[k]);
+  return scene.body_names[e.i] + ',' + scene.body_names[e.j] + ',' + shortest(e.begin) + ',' + finite_or_empty(e.end) + ',' +
+         finite_or_empty(e.separation) + ',' + std::string(name(e.how)) + ',' + phases + '\n';
+}
+
+GrowingFile::GrowingFile(std::string path, std::uint64_t length) : path_(std::move(path)), length_(length) {
+  file_.reset(std::fopen(path_.c_str(), length == 0 ? "wb" : "r+b"));
+  if (!file_) throw console::BadInput(path_ + ": cannot write: " + std::strerror(errno));
+  if (length == 0) return;
+  std::fseek(file_.get(), 0, SEEK_END);
+  if (static_cast<std::uint64_t>(std::ftell(file_.get())) < length)
+    throw console::BadInput(path_ + ": shorter than when the state was saved; start again without --resume");
+  if (::ftruncate(::fileno(file_.get()), static_cast<off_t>(length)) != 0)
+    throw console::Failed(path_ + ": cannot write: " + std::strerror(errno));
+  std::fseek(file_.get(), 0, SEEK_END);
+}
+
+void GrowingFile::append(const std::string& bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size())
+    throw console::Failed(path_ + ": cannot write: " + std::strerror(errno));
+  length_ += bytes.size();
+}
+
+std::uint64_t GrowingFile::flush() {
+  if (std::fflush(file_.get()) != 0) throw console::Failed(path_ + ": cannot write: " + std::strerror(errno));
+  return length_;
+}
+
+}  // namespace ricochet::simulate

@@ -1,0 +1,135 @@
+#include <simulate/run.hpp>
+
+#include "outputs.hpp"
+#include "state_file.hpp"
+
+#include <console/exit.hpp>
+#include <console/number.hpp>
+#include <console/output.hpp>
+#include <console/progress.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace ricochet::simulate {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+volatile std::sig_atomic_t stop_asked = 0;
+extern "C" void ask_to_stop(int) { stop_asked = 1; }
+
+// Asks to stop on the first signal; a second one ends the program as if it were not caught.
+class StopOnSignal {
+ public:
+  StopOnSignal() {
+    stop_asked = 0;
+    struct sigaction action = {};
+    action.sa_handler = ask_to_stop;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    ::sigaction(SIGINT, &action, &before_int_);
+    ::sigaction(SIGTERM, &action, &before_term_);
+  }
+  ~StopOnSignal() {
+    ::sigaction(SIGINT, &before_int_, nullptr);
+    ::sigaction(SIGTERM, &before_term_, nullptr);
+  }
+  StopOnSignal(const StopOnSignal&) = delete;
+  StopOnSignal& operator=(const StopOnSignal&) = delete;
+
+ private:
+  struct sigaction before_int_ = {}, before_term_ = {};
+};
+
+std::string read_all(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw console::BadInput(path + ": cannot read; must be there to --resume from");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class Run {
+ public:
+  Run(const Scene& scene, const std::string& folder, const std::optional<Checkpoint>& from)
+      : scene_(scene), state_path_(folder + "/state.json"), cluster_(scene.setup, scene.options),
+        trajectory_(folder + "/trajectory.xyz", from ? from->lengths[0] : 0),
+        contacts_(folder + "/contacts.csv", from ? from->lengths[1] : 0),
+        energy_(folder + "/energy.csv", from ? from->lengths[2] : 0) {
+    if (from) {
+      cluster_.restore(from->state);
+    } else {
+      contacts_.append(contact_header());
+      energy_.append(energy_header());
+      output();
+    }
+  }
+
+  Outcome go() {
+    console::Progress progress("simulate", scene_.steps - cluster_.state().steps);
+    auto saved = Clock::now();
+    while (cluster_.state().steps < scene_.steps) {
+      if (stop_asked) return save(false), Outcome::interrupted;
+      step();
+      progress.advance();
+      if (Clock::now() - saved > std::chrono::seconds(10)) save(false), saved = Clock::now();
+    }
+    for (const ContactState& c : cluster_.contacts()) contacts_.append(contact_row(scene_, c.record));
+    save(true);
+    return Outcome::complete;
+  }
+
+ private:
+  void step() {
+    if (!cluster_.advance(1))
+      throw console::Failed("t = " + console::significant(cluster_.time(), 6) +
+                            " s: the motion is no longer finite; a smaller \"step\" is needed");
+    for (const Encounter& e : cluster_.take_finished()) contacts_.append(contact_row(scene_, e));
+    const std::uint64_t done = cluster_.state().steps;
+    if (done % scene_.output_every == 0 || done == scene_.steps) output();
+  }
+
+  void output() {
+    trajectory_.append(frame_xyz(scene_, cluster_));
+    energy_.append(energy_row(cluster_));
+  }
+
+  // Outputs first, then the state that says how long they are: whenever the program dies, the state fits.
+  void save(bool complete) {
+    const Checkpoint c{scene_.fingerprint, {trajectory_.flush(), contacts_.flush(), energy_.flush()}, complete,
+                       cluster_.state()};
+    console::write_atomically(state_path_, write_checkpoint(c));
+  }
+
+  const Scene& scene_;
+  std::string state_path_;
+  Cluster cluster_;
+  GrowingFile trajectory_, contacts_, energy_;
+};
+
+}  // namespace
+
+Outcome run(const Scene& scene, const std::string& folder, bool resume) {
+  const StopOnSignal signals;  // from here on, so that a stop while memory kernels are built leaves a state as well
+  const std::string state = folder + "/state.json";
+  std::error_code error;
+  if (!resume) {
+    if (fs::exists(state, error))
+      throw console::BadInput("-o " + folder + ": holds a run already; --resume goes on with it, another folder starts anew");
+    fs::create_directories(folder, error);
+    if (error) throw console::BadInput("-o " + folder + ": cannot be made: " + error.message());
+    return Run(scene, folder, {}).go();
+  }
+  const Checkpoint from = read_checkpoint(state, read_all(state));
+  if (from.fingerprint != scene.fingerprint)
+    throw console::BadInput(state + ": of another scene; must be of the one given");
+  if (from.complete) return Outcome::complete;
+  return Run(scene, folder, from).go();
+}
+
+}  // namespace ricochet::simulate

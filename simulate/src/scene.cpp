@@ -1,0 +1,241 @@
+#include <simulate/scene.hpp>
+
+#include "node.hpp"
+
+#include <console/exit.hpp>
+#include <console/number.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace ricochet::simulate {
+namespace {
+
+using console::shortest;
+using console::significant;
+
+// The collision of the stiffest pair is resolved by 200 steps if the scene leaves the choice, by 20 at least.
+constexpr double steps_per_collision = 200, least_steps_per_collision = 20;
+
+struct Material {
+  std::size_t index;
+  std::optional<double> density;
+};
+using Materials = std::map<std::string, Material>;
+
+Materials read_materials(const Node& node) {
+  Materials materials;
+  if (!node.json().is_object() || node.json().empty()) node.reject("an object of at least one material, {\"name\": {...}}");
+  for (const auto& [name, value] : node.json().items()) {
+    const Node material = node.at(name);
+    material.allow({"density"});
+    Material read{materials.size(), {}};
+    if (material.has("density")) read.density = material.at("density").positive();
+    materials.emplace(name, read);
+  }
+  return materials;
+}
+
+const Material& material_of(const Node& node, const Materials& materials) {
+  const auto found = materials.find(node.text());
+  if (found != materials.end()) return found->second;
+  std::string known;
+  for (const auto& [name, material] : materials) known += (known.empty() ? "" : ", ") + name;
+  node.reject("one of the materials " + known);
+}
+
+AnyLaw read_law(const Node& node) {
+  const std::string law =
+      node.at("name").one_of({"linear", "kuwabara-kono", "tsuji", "hysteretic", "fractional"});
+  if (law == "hysteretic") {
+    node.allow({"name", "k1", "k2", "end"});
+    const double k1 = node.at("k1").positive(), k2 = node.at("k2").positive();
+    if (k1 > k2) node.at("k1").reject("at most k2");
+    return Hysteretic(k1, k2);
+  }
+  if (law == "fractional") {
+    node.allow({"name", "k", "c", "alpha", "end"});
+    const double alpha = node.at("alpha").number();
+    if (alpha < 0 || alpha > 1) node.at("alpha").reject("in [0, 1]");
+    return Fractional(node.at("k").positive(), node.at("c").positive(), alpha);
+  }
+  node.allow({"name", "k", "c", "end"});
+  const double k = node.at("k").positive(), c = node.at("c").not_negative();
+  if (law == "linear") return Linear(k, c);
+  if (law == "tsuji") return Tsuji(k, c);
+  return KuwabaraKono(k, c);
+}
+
+Friction read_friction(const Node& node) {
+  node.allow({"mu_static", "mu_dynamic", "decay", "rolling_arm"});
+  const double mu_static = node.at("mu_static").not_negative();
+  const double mu_dynamic = node.has("mu_dynamic") ? node.at("mu_dynamic").not_negative() : mu_static;
+  if (mu_dynamic > mu_static) node.at("mu_dynamic").reject("at most mu_static");
+  return Friction(mu_static, mu_dynamic, node.has("decay") ? node.at("decay").not_negative() : 0,
+                  node.has("rolling_arm") ? node.at("rolling_arm").not_negative() : 1);
+}
+
+Interactions read_interactions(const Node& node, const Materials& materials) {
+  Interactions interactions;
+  for (std::size_t k = 0; k < node.size(); ++k) {
+    const Node entry = node.at(k);
+    entry.allow({"between", "law", "friction"});
+    const Node between = entry.at("between");
+    if (!between.json().is_array() || between.json().size() != 2) between.reject("two materials [\"a\", \"b\"]");
+    const auto pair = std::minmax(material_of(between.at(0), materials).index, material_of(between.at(1), materials).index);
+    const Node law = entry.at("law");
+    if (!law.json().is_object()) law.reject("an object with a law's name and parameters");
+    Interaction interaction{read_law(law)};
+    if (law.has("end") && law.at("end").one_of({"force", "overlap"}) == "overlap") interaction.end = ContactEnd::overlap;
+    if (entry.has("friction")) interaction.friction = read_friction(entry.at("friction"));
+    if (!interactions.emplace(pair, interaction).second) between.reject("a pair that is given once");
+  }
+  return interactions;
+}
+
+void read_spheres(const Node& node, const Materials& materials, Scene& scene) {
+  if (node.size() == 0) node.reject("at least one sphere");
+  for (std::size_t k = 0; k < node.size(); ++k) {
+    const Node entry = node.at(k);
+    entry.allow({"radius", "density", "material", "position", "velocity", "spin"});
+    const Material& material = material_of(entry.at("material"), materials);
+    Sphere s;
+    s.radius = entry.at("radius").positive();
+    s.material = material.index;
+    if (entry.has("density")) s.density = entry.at("density").positive();
+    else if (material.density) s.density = *material.density;
+    else entry.complain("\"density\" is missing; the sphere or its material must give it");
+    s.position = entry.at("position").vector();
+    if (entry.has("velocity")) s.velocity = entry.at("velocity").vector();
+    if (entry.has("spin")) s.spin = entry.at("spin").vector();
+    scene.setup.spheres.push_back(s);
+    scene.body_names.push_back(std::to_string(k + 1));
+  }
+}
+
+void read_walls(const Node& root, const Materials& materials, Scene& scene) {
+  const auto add = [&](const Wall& wall) {
+    scene.setup.walls.push_back(wall);
+    scene.body_names.push_back("wall" + std::to_string(scene.setup.walls.size()));
+  };
+  for (std::size_t k = 0; root.has("walls") && k < root.at("walls").size(); ++k) {
+    const Node entry = root.at("walls").at(k);
+    entry.allow({"point", "inward", "material"});
+    const Vec3 inward = entry.at("inward").vector();
+    if (!(norm(inward) > 0)) entry.at("inward").reject("a direction, not zero");
+    add({entry.at("point").vector(), inward, material_of(entry.at("material"), materials).index});
+  }
+  for (std::size_t k = 0; root.has("boxes") && k < root.at("boxes").size(); ++k) {
+    const Node entry = root.at("boxes").at(k);
+    entry.allow({"low", "high", "material"});
+    const Vec3 low = entry.at("low").vector(), high = entry.at("high").vector();
+    if (!(low.x < high.x && low.y < high.y && low.z < high.z)) entry.at("high").reject("above low in x, y and z");
+    for (const Wall& wall : box_walls(low, high, material_of(entry.at("material"), materials).index)) add(wall);
+  }
+}
+
+std::string name_of(const Materials& materials, std::size_t index) {
+  for (const auto& [name, material] : materials)
+    if (material.index == index) return name;
+  return {};
+}
+
+// Every two materials of which bodies exist that can meet.
+void check_pairs(const Node& root, const Materials& materials, const Scene& scene) {
+  std::map<std::size_t, int> spheres, walls;
+  for (const Sphere& s : scene.setup.spheres) ++spheres[s.material];
+  for (const Wall& w : scene.setup.walls) ++walls[w.material];
+  const auto need = [&](std::size_t a, std::size_t b) {
+    if (scene.setup.interactions.contains(std::minmax(a, b))) return;
+    root.at("interactions").complain("no entry between \"" + name_of(materials, a) + "\" and \"" + name_of(materials, b) +
+                                     "\", which can meet; it must be given");
+  };
+  for (const auto& [a, count] : spheres) {
+    if (count > 1) need(a, a);
+    for (const auto& [b, others] : spheres)
+      if (a < b) need(a, b);
+    for (const auto& [b, others] : walls) need(a, b);
+  }
+}
+
+void check_apart(const Node& root, const ClusterSetup& setup) {
+  std::vector<Vec3> positions;
+  std::vector<double> radii;
+  for (const Sphere& s : setup.spheres) positions.push_back(s.position), radii.push_back(s.radius);
+  const auto complain = [&](std::size_t i, const std::string& other, double overlap) {
+    root.at("spheres").at(i).complain("overlaps " + other + " by " + significant(overlap, 3) +
+                                      " m at the start; bodies must be apart or just touch");
+  };
+  for (const NearPair& pair : near_pairs(positions, radii, 0)) {
+    const double reach = radii[pair.i] + radii[pair.j], overlap = reach - norm(positions[pair.j] - positions[pair.i]);
+    if (overlap > 1e-12 * reach) complain(pair.j, "/spheres/" + std::to_string(pair.i), overlap);
+  }
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    for (std::size_t w = 0; w < setup.walls.size(); ++w) {
+      const Wall& wall = setup.walls[w];
+      const double overlap = radii[i] - dot(positions[i] - wall.point, wall.inward) / norm(wall.inward);
+      if (overlap > 1e-12 * radii[i]) complain(i, "wall" + std::to_string(w + 1), overlap);
+    }
+}
+
+std::string body(const Scene& scene, std::size_t k) {
+  return (k < scene.setup.spheres.size() ? "sphere " : "") + scene.body_names[k];
+}
+
+// The step, such that the output interval is a whole number of steps.
+void choose_step(const Node& root, Scene& scene) {
+  const double duration = root.at("duration").positive();
+  const double interval = root.has("output_interval") ? root.at("output_interval").positive() : duration / 100;
+  if (interval > duration) root.at("output_interval").reject("at most the duration");
+  scene.stiffest = stiffest_contact(scene.setup);
+  const double tcol = scene.stiffest.tcol;
+  double step = tcol > 0 ? std::min(tcol / steps_per_collision, interval) : interval / 100;
+  if (root.has("step")) {
+    step = root.at("step").positive();
+    if (step > interval) root.at("step").reject("at most the output interval, " + shortest(interval) + " s");
+    if (tcol > 0 && step > tcol / least_steps_per_collision)
+      root.at("step").reject("at most " + significant(tcol / least_steps_per_collision, 3) + " s, a 20th of the " +
+                             significant(tcol, 3) + " s that " + body(scene, scene.stiffest.i) + " and " +
+                             body(scene, scene.stiffest.j) + " collide");
+  }
+  const double per_output = std::ceil(interval / step * (1 - 1e-12));
+  if (duration / step > 1e15) root.at("duration").reject("less than 1e15 steps of " + significant(step, 3) + " s");
+  scene.output_every = static_cast<std::uint64_t>(per_output);
+  scene.options.step = interval / per_output;
+  scene.steps = static_cast<std::uint64_t>(std::ceil(duration / scene.options.step * (1 - 1e-12)));
+  scene.options.longest_contact = std::min(duration, 4e5 * scene.options.step);
+}
+
+std::string fingerprint(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
+  for (unsigned char byte : text) hash = (hash ^ byte) * 0x100000001b3u;
+  return std::to_string(hash);
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& file, const std::string& text) {
+  const console::Json json = parse(file, text);
+  const Node root(file, json);
+  root.allow({"schema", "title", "duration", "output_interval", "step", "gravity", "materials", "interactions", "spheres",
+              "walls", "boxes", "reclosing"});
+  if (root.has("schema")) root.at("schema").one_of({"ricochet/scene/1"});
+  if (root.has("title")) root.at("title").text();
+  Scene scene;
+  const Materials materials = read_materials(root.at("materials"));
+  scene.setup.interactions = read_interactions(root.at("interactions"), materials);
+  if (root.has("gravity")) scene.setup.gravity = root.at("gravity").vector();
+  read_spheres(root.at("spheres"), materials, scene);
+  read_walls(root, materials, scene);
+  if (root.has("reclosing") && root.at("reclosing").one_of({"repels", "silent"}) == "silent")
+    scene.options.reclosing = Reclosing::silent;
+  check_pairs(root, materials, scene);
+  check_apart(root, scene.setup);
+  choose_step(root, scene);
+  scene.fingerprint = fingerprint(json.dump());
+  return scene;
+}
+
+}  // namespace ricochet::simulate

@@ -1,0 +1,71 @@
+#include <catch2/catch.hpp>
+#include <console/exit.hpp>
+#include <simulate/run.hpp>
+
+#include <csignal>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include <unistd.h>
+
+using namespace ricochet;
+using namespace ricochet::simulate;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string read(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+Scene bounce(const std::string& duration) {
+  std::string text = read(RICOCHET_SOURCE_DIR "/data/scenes/bounce.json");
+  const std::string was = "\"duration\": 0.5";
+  return read_scene("bounce.json", text.replace(text.find(was), was.size(), "\"duration\": " + duration));
+}
+
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("ricochet-simulate-" + std::to_string(::getpid()));
+  Folder() { fs::remove_all(path); }
+  ~Folder() { fs::remove_all(path); }
+};
+
+}  // namespace
+
+TEST_CASE("an interrupted run, resumed, gives the bytes of one that was never stopped") {
+  const Folder folder;
+  const Scene scene = bounce("2");
+  const std::string whole = folder.path / "whole", parts = folder.path / "parts";
+  REQUIRE(run(scene, whole, false) == Outcome::complete);
+  std::thread interrupter([] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    ::kill(::getpid(), SIGINT);
+  });
+  const Outcome first = run(scene, parts, false);
+  interrupter.join();
+  REQUIRE(first == Outcome::interrupted);
+  CHECK(read(parts + "/trajectory.xyz").size() < read(whole + "/trajectory.xyz").size());
+  // What was written after the state is cut away again.
+  std::ofstream(parts + "/energy.csv", std::ios::app) << "half a li";
+  CHECK(run(scene, parts, true) == Outcome::complete);
+  for (const char* file : {"/trajectory.xyz", "/contacts.csv", "/energy.csv", "/state.json"})
+    CHECK(read(parts + file) == read(whole + file));
+  CHECK(run(scene, parts, true) == Outcome::complete);  // nothing left to do
+}
+
+TEST_CASE("a run does not overwrite another, nor continue one of another scene") {
+  const Folder folder;
+  const Scene scene = bounce("0.01");
+  REQUIRE(run(scene, folder.path, false) == Outcome::complete);
+  CHECK_THROWS_WITH(run(scene, folder.path, false), Catch::Contains("holds a run already; --resume"));
+  CHECK_THROWS_WITH(run(bounce("0.02"), folder.path, true), Catch::Contains("of another scene"));
+  CHECK_THROWS_AS(run(scene, folder.path / "none", true), console::BadInput);
+  std::ofstream(folder.path / "state.json") << "{}";
+  CHECK_THROWS_WITH(run(scene, folder.path, true), Catch::Contains("must be a state that simulate saved"));
+}

@@ -1,0 +1,106 @@
+#include <catch2/catch.hpp>
+#include <console/exit.hpp>
+#include <simulate/scene.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace ricochet;
+using namespace ricochet::simulate;
+
+namespace {
+
+const std::string good = R"({
+  "duration": 0.01,
+  "materials": {"grain": {"density": 1000}, "plate": {}},
+  "interactions": [
+    {"between": ["grain", "grain"], "law": {"name": "linear", "k": 1000, "c": 1}},
+    {"between": ["grain", "plate"], "law": {"name": "fractional", "k": 1000, "c": 1, "alpha": 0.3},
+     "friction": {"mu_static": 0.5}}
+  ],
+  "spheres": [
+    {"radius": 0.01, "material": "grain", "position": [0, 0, 0.02]},
+    {"radius": 0.01, "material": "grain", "position": [0, 0, 0.05], "velocity": [0, 0, -1]}
+  ],
+  "walls": [{"point": [0, 0, 0], "inward": [0, 0, 1], "material": "plate"}]
+})";
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = good;
+  const auto at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    read_scene("s.json", text);
+  } catch (const console::BadInput& error) {
+    CHECK(std::string(error.what()).find('\n') == std::string::npos);
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("a scene is read with its defaults and a step that resolves the stiffest contact") {
+  const Scene scene = read_scene("s.json", good);
+  CHECK(scene.setup.spheres.size() == 2);
+  CHECK(scene.setup.interactions.at({0, 1}).friction.mu_dynamic() == 0.5);
+  CHECK(scene.options.step <= scene.stiffest.tcol / 200);
+  CHECK(double(scene.output_every) * scene.options.step == Approx(1e-4).epsilon(1e-14));
+  CHECK(double(scene.steps) * scene.options.step == Approx(0.01).epsilon(1e-12));
+}
+
+TEST_CASE("every mistake in a scene is one line that says where, what, and what is accepted") {
+  CHECK(complaint(good) == "accepted");
+  CHECK(complaint(good + "}") == "s.json:14:2: no JSON: must be one object as docs/scenes.md describes");
+  CHECK(complaint(with("0.01,", "0.01,,")).rfind("s.json:2:20: no JSON", 0) == 0);
+  CHECK(complaint(with("\"walls\"", "\"wals\"")).rfind("s.json: /: unknown key \"wals\"; known are schema,", 0) == 0);
+  CHECK(complaint(with("\"walls\"", "\"duration\"")) == "s.json: key \"duration\" is given twice in one object; it must be given once");
+  CHECK(complaint(with("\"radius\": 0.01", "\"radius\": -0.01")) == "s.json: /spheres/0/radius = -0.01: must be a number > 0");
+  CHECK(complaint(with("\"radius\": 0.01", "\"radius\": \"big\"")) == "s.json: /spheres/0/radius = \"big\": must be a number > 0");
+  CHECK(complaint(with("\"radius\": 0.01, ", "")) == "s.json: /spheres/0: \"radius\" is missing; it must be given");
+  CHECK(complaint(with("[0, 0, 0.05]", "[0, 0]")) == "s.json: /spheres/1/position = [0,0]: must be three numbers [x, y, z]");
+  CHECK(complaint(with("0.05", "0.035")) ==
+        "s.json: /spheres/1: overlaps /spheres/0 by 0.005 m at the start; bodies must be apart or just touch");
+  CHECK(complaint(with("0.02]", "0.008]")) ==
+        "s.json: /spheres/0: overlaps wall1 by 0.002 m at the start; bodies must be apart or just touch");
+  CHECK(complaint(with("0.01,", "0,")) == "s.json: /duration = 0: must be a number > 0");
+  CHECK(complaint(with("\"duration\"", "\"step\": 0.005, \"duration\""))
+            .rfind("s.json: /step = 0.005: must be at most the output interval", 0) == 0);
+  CHECK(complaint(with("\"duration\"", "\"step\": 0.002, \"output_interval\": 0.01, \"duration\""))
+            .rfind("s.json: /step = 0.002: must be at most 0.000", 0) == 0);
+  CHECK(complaint(with("[\"grain\", \"plate\"]", "[\"plate\", \"plate\"]")) ==
+        "s.json: /interactions: no entry between \"grain\" and \"plate\", which can meet; it must be given");
+  CHECK(complaint(with("[\"grain\", \"plate\"]", "[\"grain\", \"grain\"]")) ==
+        "s.json: /interactions/1/between = [\"grain\",\"grain\"]: must be a pair that is given once");
+  CHECK(complaint(with("\"alpha\": 0.3", "\"alpha\": 1.3")) == "s.json: /interactions/1/law/alpha = 1.3: must be in [0, 1]");
+  CHECK(complaint(with("\"linear\"", "\"hooke\"")) ==
+        "s.json: /interactions/0/law/name = \"hooke\": must be linear or kuwabara-kono or tsuji or hysteretic or fractional");
+  CHECK(complaint(with("\"mu_static\": 0.5", "\"mu_static\": 0.5, \"mu_dynamic\": 0.6")) ==
+        "s.json: /interactions/1/friction/mu_dynamic = 0.6: must be at most mu_static");
+  CHECK(complaint(with("\"material\": \"plate\"", "\"material\": \"plat\"")) ==
+        "s.json: /walls/0/material = \"plat\": must be one of the materials grain, plate");
+  CHECK(complaint(with("{\"density\": 1000}", "{}")) ==
+        "s.json: /spheres/0: \"density\" is missing; the sphere or its material must give it");
+  CHECK(complaint(with("\"inward\": [0, 0, 1]", "\"inward\": [0, 0, 0]")) ==
+        "s.json: /walls/0/inward = [0,0,0]: must be a direction, not zero");
+  CHECK(complaint("[]").rfind("s.json: / = []: must be an object", 0) == 0);
+  CHECK(complaint("").rfind("s.json:1:1: no JSON", 0) == 0);
+}
+
+TEST_CASE("the scenes of the project are good scenes") {
+  int found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(RICOCHET_SOURCE_DIR "/data/scenes")) {
+    std::ifstream in(entry.path());
+    std::stringstream text;
+    text << in.rdbuf();
+    CAPTURE(entry.path().string());
+    CHECK_NOTHROW(read_scene(entry.path().filename().string(), text.str()));
+    ++found;
+  }
+  CHECK(found >= 4);
+}
