@@ -63,7 +63,8 @@ struct Collision {
 /// is solved by collocation instead (contact/fractional_collocation.hpp; evaluations counts its nodes). An overlap end with
 /// e_n < 1e-12 may count as no_separation there.
 ///
-/// Relative error of tcol and en: below 1e-11.
+/// Relative error of tcol and en: below 1e-11, with two exceptions that lie in the problem: 1e-15 k₂/k₁ where the
+/// hysteretic branch k₂(ζ − ζ₀) is integrated, and 1e-15/e_n² near a fractional overlap end that only just exists.
 /// Throws std::invalid_argument for velocity or mass_eff not finite and > 0, and for closed_form without one.
 Collision collide(const Linear& law, const Impact& impact, const CollideOptions& options = {});
 Collision collide(const KuwabaraKono& law, const Impact& impact, const CollideOptions& options = {});
