@@ -85,23 +85,24 @@ std::string grains(const Encounter& pair, const Start& start, const char* units)
          "\nset atom 1 vx " + half + "\nset atom 2 vx -" + half + "\n";
 }
 
-std::string lammps_deck(const Encounter& pair, double step) {
+/// One run; its trajectory goes into the file `out`.
+std::string lammps_run(const Encounter& pair, double step, const std::string& out) {
   const Start start = start_of(pair, step);
   return "units si\natom_style sphere\natom_modify map array sort 0 0\nnewton off\ncomm_modify vel yes\n"
          "boundary f f f\n" + box(10 * pair.radius, "") + grains(pair, start, "") + "include snippet\nneighbor " +
          shortest(pair.radius) + " bin\nneigh_modify delay 0 every 1 check yes\ntimestep " + shortest(step) +
          "\nfix integrate all nve/sphere\nthermo 100000000\n"
-         "dump out all custom 1 trajectory id x vx fx\n"
+         "dump out all custom 1 " + out + " id x vx fx\n"
          "dump_modify out sort id format line \"%d %.17g %.17g %.17g\"\nrun " + std::to_string(start.steps) + "\n";
 }
 
-std::string liggghts_deck(const Encounter& pair, double step) {
+std::string liggghts_run(const Encounter& pair, double step, const std::string& out) {
   const Start start = start_of(pair, step);
   return "atom_style granular\natom_modify map array sort 0 0\nboundary f f f\nnewton off\n"
          "communicate single vel yes\nunits si\n" + box(10 * pair.radius, " units box") + "neighbor " +
          shortest(pair.radius) + " bin\nneigh_modify delay 0\ninclude snippet\n" + grains(pair, start, " units box") +
          "timestep " + shortest(step) + "\nfix integrate all nve/sphere\nthermo 100000000\n"
-         "dump out all custom 1 trajectory id x vx fx\n"
+         "dump out all custom 1 " + out + " id x vx fx\n"
          "dump_modify out sort id format \"%d %.17g %.17g %.17g\"\nrun " + std::to_string(start.steps) + "\n";
 }
 
@@ -120,7 +121,7 @@ Trajectory read_dump(const std::string& text, const Encounter& pair, double step
   return trajectory;
 }
 
-/// Yade starts slowly, so one process runs all steps. Pairs of files for run i: <i>.
+/// Run i writes the file <i>.
 std::string yade_script(const Encounter& pair, const std::vector<double>& steps) {
   std::string script =
       "from yade import *\nexec(open('snippet').read())\n"
@@ -155,6 +156,17 @@ Trajectory read_columns(const std::string& text) {
   return trajectory;
 }
 
+/// Engines start slowly, above all their MPI: one process does all runs.
+std::string script_of(Engine engine, const Encounter& pair, const std::vector<double>& steps) {
+  if (engine == Engine::yade) return yade_script(pair, steps);
+  std::string script;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (i > 0) script += "clear\n";
+    script += (engine == Engine::lammps ? lammps_run : liggghts_run)(pair, steps[i], std::to_string(i));
+  }
+  return script;
+}
+
 /// The last line of a log that isn't empty: where engines say what went wrong.
 std::string last_words(const std::string& log) {
   std::istringstream lines(log);
@@ -168,7 +180,7 @@ std::string last_words(const std::string& log) {
 
 /// Runs the command in the folder; what it says goes into the file `log` there.
 void run_in(const ScratchFolder& folder, const std::string& command, const char* what) {
-  const std::string line = "cd '" + folder.path().string() + "' && QT_QPA_PLATFORM=offscreen " + command +
+  const std::string line = "cd '" + folder.path().string() + "' && QT_QPA_PLATFORM=offscreen OMPI_MCA_ess_singleton_isolated=1 " + command +
                            " >log 2>&1 </dev/null";
   if (std::system(line.c_str()) != 0) throw console::Failed(std::string(what) + ": " + last_words(folder.read("log")));
 }
@@ -194,19 +206,15 @@ std::vector<Trajectory> EngineProgram::run(const std::string& snippet, const Enc
                                            const std::vector<double>& steps) const {
   const ScratchFolder folder;
   folder.write("snippet", snippet);
+  const bool yade = engine_ == Engine::yade;
+  const std::string script = yade ? "script.py" : "script";  // Yade goes by the ending
+  folder.write(script, script_of(engine_, pair, steps));
+  run_in(folder, "'" + command_ + "' " + (yade ? "-n -x " + script : "-in " + script + " -log none"),
+         text(engine_).data());
   std::vector<Trajectory> trajectories;
-  const std::string program = "'" + command_ + "'";
-  if (engine_ == Engine::yade) {
-    folder.write("script.py", yade_script(pair, steps));
-    run_in(folder, program + " -n -x script.py", "yade");
-    for (std::size_t i = 0; i < steps.size(); ++i)
-      trajectories.push_back(read_columns(folder.read(std::to_string(i))));
-    return trajectories;
-  }
-  for (const double step : steps) {
-    folder.write("deck", engine_ == Engine::lammps ? lammps_deck(pair, step) : liggghts_deck(pair, step));
-    run_in(folder, program + " -in deck -log none", calibration::text(engine_).data());
-    trajectories.push_back(read_dump(folder.read("trajectory"), pair, step));
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const std::string written = folder.read(std::to_string(i));
+    trajectories.push_back(yade ? read_columns(written) : read_dump(written, pair, steps[i]));
   }
   return trajectories;
 }
