@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace ricochet::detail {
 
@@ -48,8 +49,17 @@ class ColumnMemory<FractionalArms> {
     return mean_force(law(j), overlap, rate, memory(j), dt);
   }
 
-  void advance_step(std::size_t j, Approach before, Approach after) noexcept {
-    advance_by(steps_[kind_[j]], j, (after.overlap - before.overlap) / step_);
+  /// Whole steps of the neighbouring contacts first … last − 1, which follow one law, from overlaps `before` to `after`.
+  void advance_steps(std::size_t first, std::size_t last, const double* before, const double* after) noexcept {
+    switch (stride_ / block) {
+      case 0: return;
+      case 1: return advance_run<block>(first, last, before, after);
+      case 2: return advance_run<2 * block>(first, last, before, after);
+      case 3: return advance_run<3 * block>(first, last, before, after);
+      case 4: return advance_run<4 * block>(first, last, before, after);
+      case 5: return advance_run<5 * block>(first, last, before, after);
+      default: return advance_run<6 * block>(first, last, before, after);
+    }
   }
 
   void advance(std::size_t j, Approach before, Approach after, double dt) noexcept {
@@ -61,45 +71,59 @@ class ColumnMemory<FractionalArms> {
       const SteadyArm arm = steady_arm(law(j).relaxation_rate(a), dt);
       double& q = elongation_[j * stride_ + a];
       q = arm.decay * q + arm.gain * rate;
-      sum += whole.of_arm[2 * stride_ + a] * q;
+      sum += whole.weight[a] * q;
     }
     from_arms_[j] = sum;
   }
 
  private:
   static constexpr std::size_t block = 4;
+  static_assert(FractionalArms::max_arms == 6 * block);
 
   /// A whole step at a constant rate.
   struct Step {
-    double spring, resistance;   // force per mean overlap [N/m], per rate [N s/m]
-    std::vector<double> of_arm;  // decay of each, then gain [s] of each, then mean force per elongation [N/m] of each
+    double spring, resistance;  // force per mean overlap [N/m], per rate [N s/m]
+    // Of each arm: e^{−x}, elongation per rate [s], mean force in the next step per elongation [N/m].
+    alignas(32) std::array<double, FractionalArms::max_arms> decay{}, gain{}, weight{};
   };
 
   Step make_step(const FractionalArms& law) const {
-    Step s{law.spring(), law.dashpot(), std::vector<double>(3 * stride_, 0.0)};
+    Step s{law.spring(), law.dashpot()};
     for (std::size_t a = 0; a < law.arms(); ++a) {
       const SteadyArm arm = steady_arm(law.relaxation_rate(a), step_);
-      s.of_arm[a] = arm.decay;
-      s.of_arm[stride_ + a] = arm.gain;
-      s.of_arm[2 * stride_ + a] = law.stiffness(a) * arm.mean_before;
+      s.decay[a] = arm.decay;
+      s.gain[a] = arm.gain;
+      s.weight[a] = law.stiffness(a) * arm.mean_before;
       s.resistance += law.stiffness(a) * arm.mean_gain;
     }
     return s;
   }
 
-  void advance_by(const Step& s, std::size_t j, double rate) noexcept {
-    double* __restrict q = &elongation_[j * stride_];
-    const double* __restrict decay = s.of_arm.data();
-    const double* __restrict gain = decay + stride_;
-    const double* __restrict weight = gain + stride_;
-    std::array<double, block> sum{};
-    for (std::size_t a = 0; a < stride_; a += block)
-      for (std::size_t lane = 0; lane < block; ++lane) {
-        const double next = decay[a + lane] * q[a + lane] + gain[a + lane] * rate;
-        q[a + lane] = next;
-        sum[lane] += weight[a + lane] * next;
+  // Two doubles, what every x86-64 and ARM64 holds in a register. Left to itself g++ vectorises over contacts instead,
+  // and transposes every block twice.
+  using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
+  static Pair load(const double* from) noexcept {
+    Pair pair;
+    std::memcpy(&pair, from, sizeof pair);
+    return pair;
+  }
+
+  template <std::size_t Stride>
+  void advance_run(std::size_t first, std::size_t last, const double* before, const double* after) noexcept {
+    const Step& s = steps_[kind_[first]];
+    const double per_step = 1 / step_;
+    double* q = &elongation_[first * Stride];
+    for (std::size_t j = first; j < last; ++j, q += Stride) {
+      const double rate = (after[j] - before[j]) * per_step;
+      std::array<Pair, block / 2> sum{};
+      for (std::size_t a = 0; a < Stride; a += 2) {
+        const Pair next = load(&s.decay[a]) * load(q + a) + load(&s.gain[a]) * rate;
+        std::memcpy(q + a, &next, sizeof next);
+        sum[a / 2 % 2] += load(&s.weight[a]) * next;
       }
-    from_arms_[j] = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+      const Pair total = sum[0] + sum[1];
+      from_arms_[j] = total[0] + total[1];
+    }
   }
 
   std::span<const FractionalArms> laws_;

@@ -299,10 +299,21 @@ void ColumnEngine<Law>::move_by_moments() noexcept {
 
 template <ContactLaw Law>
 void ColumnEngine<Law>::remember() noexcept {
-  if constexpr (detail::ColumnMemory<Law>::remembers)
+  using Memory = detail::ColumnMemory<Law>;
+  const auto goes_on = [this](std::size_t j) { return state_[j] == touching && !event_of_[j]; };
+  if constexpr (std::same_as<Law, FractionalArms>) {
+    for (std::size_t first = 1; first <= beads_; ++first) {
+      if (!goes_on(first)) continue;
+      std::size_t last = first + 1;
+      while (last <= beads_ && kind_[last] == kind_[first] && goes_on(last)) ++last;
+      memory_.advance_steps(first, last, old_overlap_.data(), overlap_.data());
+      first = last - 1;
+    }
+  } else if constexpr (Memory::remembers) {
     for (std::size_t j = 1; j <= beads_; ++j)
-      if (state_[j] == touching && !event_of_[j])
-        memory_.advance_step(j, {old_overlap_[j], old_velocity_[j - 1] - old_velocity_[j]}, {overlap_[j], rate(j)});
+      if (goes_on(j))
+        memory_.advance(j, {old_overlap_[j], old_velocity_[j - 1] - old_velocity_[j]}, {overlap_[j], rate(j)}, step_);
+  }
 }
 
 template <ContactLaw Law>

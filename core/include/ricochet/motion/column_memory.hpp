@@ -47,7 +47,6 @@ class ColumnMemory {
       }
     }
   }
-  void advance_step(std::size_t j, Approach before, Approach after) noexcept { advance(j, before, after, step_); }
 
  private:
   std::span<const Law> laws_;
