@@ -13,7 +13,7 @@ using console::Table;
 
 double Convergence::observed() const {
   std::size_t n = errors.size();
-  while (n > 4 && errors[n - 1] < exact_bound * scale) --n;
+  while (n > 4 && errors[n - 1] < rounding * scale) --n;
   return n < 4 ? std::nan("") : std::log2(errors[n - 4] / errors[n - 1]) / 3;
 }
 

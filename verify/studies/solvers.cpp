@@ -52,22 +52,24 @@ SolverConvergence statements(FractionalScheme scheme, double alpha) {
   const auto statement = [&](const char* quantity) {
     const bool tcol = quantity[0] == 't';
     return Convergence{.statement = {scheme_name, quantity, alpha, stated_order(scheme, alpha, tcol),
-                                     allowance(scheme, alpha, tcol)}};
+                                     allowance(scheme, alpha, tcol)},
+                       .rounding = 1e-12};
   };
   return {.scheme = scheme, .en = statement("e_n"), .tcol = statement("t_col"), .overlap_end = statement("overlap_end")};
 }
 
 }  // namespace
 
-SolverConvergence measure(FractionalScheme scheme, double alpha, std::size_t finest) {
+SolverConvergence measure(FractionalScheme scheme, double alpha, const std::vector<std::size_t>& steps,
+                          Against against) {
   SolverConvergence result = statements(scheme, alpha);
   const FractionalContact exact = fractional_contact(alpha);
   const Fractional law(1, 1, alpha);
   const bool collocation = scheme == FractionalScheme::collocation;
   const bool rosenbrock = scheme == FractionalScheme::arms_rosenbrock;
-  // Rosenbrock's order is that of the arms' equations: kernel kept, against its own limit.
   FractionalSolverOptions options;
-  if (rosenbrock) options.kernel = solver_kernel(law, impact, exact.tau / 16);
+  // Rosenbrock's order is that of the arms' equations, so its kernel is kept: coarse where only the order matters.
+  if (rosenbrock) options.kernel = solver_kernel(law, impact, exact.tau / (against == Against::own_limit ? 16 : 256));
   const auto solve = [&](std::size_t n, int k) {
     options.step = exact.tau / static_cast<double>(n);
     options.offset = collocation ? 0 : static_cast<double>(k) / offsets;
@@ -75,11 +77,11 @@ SolverConvergence measure(FractionalScheme scheme, double alpha, std::size_t fin
     return solve_collision(scheme, law, impact, options);
   };
   Observed reference{exact.en, exact.tau, exact.overlap_end * exact.tau};
-  if (rosenbrock) {
-    const FractionalSolverResult limit = solve(4 * finest, 0);
+  if (against == Against::own_limit) {
+    const FractionalSolverResult limit = solve(4 * steps.back(), 0);
     reference = {limit.en, limit.tcol, limit.overlap_end};
   }
-  for (std::size_t n = collocation ? 6 : 16; n <= (collocation ? 24 : finest); n = collocation ? n + 3 : 2 * n) {
+  for (const std::size_t n : steps) {
     if (scheme == FractionalScheme::arms_trapezoid || scheme == FractionalScheme::arms_exponential)
       options.kernel = solver_kernel(law, impact, exact.tau / static_cast<double>(n));
     std::vector<double> en, tcol, overlap;
@@ -102,6 +104,13 @@ SolverConvergence measure(FractionalScheme scheme, double alpha, std::size_t fin
     result.kernel_evaluations.push_back(kernels);
   }
   return result;
+}
+
+SolverConvergence measure(FractionalScheme scheme, double alpha, std::size_t finest) {
+  std::vector<std::size_t> steps;
+  for (std::size_t n = 16; n <= finest; n *= 2) steps.push_back(n);
+  const bool rosenbrock = scheme == FractionalScheme::arms_rosenbrock;
+  return measure(scheme, alpha, steps, rosenbrock ? Against::own_limit : Against::closed_form);
 }
 
 }  // namespace ricochet::verify

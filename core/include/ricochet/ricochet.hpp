@@ -18,5 +18,6 @@
 #include <ricochet/motion/event_driven_column.hpp>
 #include <ricochet/motion/fractional_solvers.hpp>
 #include <ricochet/motion/linked_cells.hpp>
+#include <ricochet/motion/trace.hpp>
 #include <ricochet/motion/tuned_law.hpp>
 #include <ricochet/version.hpp>
