@@ -13,9 +13,13 @@ std::vector<Snippet> snippets_of(const Report& report, Engine engine) {
   const Job& job = report.job;
   std::vector<Snippet> snippets;
   for (const Calibration& found : report.results)
-    snippets.push_back(export_law(engine, {.law = found.law, .end = found.end, .tcol = job.target.tcol,
-                                           .en = job.target.en, .impact = job.target.impact,
-                                           .radius_eff = job.radius_eff, .density = job.density}));
+    snippets.push_back(export_law(engine, {.law = found.law,
+                                           .end = found.end,
+                                           .tcol = job.target.tcol,
+                                           .en = job.target.en,
+                                           .impact = job.target.impact,
+                                           .radius_eff = job.radius_eff,
+                                           .density = job.density}));
   return snippets;
 }
 
@@ -31,7 +35,9 @@ Json json_of(const Snippet& snippet) {
 }
 
 std::string document_of(const std::vector<Snippet>& snippets, Engine engine) {
-  Json json{{"schema", "ricochet/export/1"}, {"engine", text(engine)}, {"version", version(engine)},
+  Json json{{"schema", "ricochet/export/1"},
+            {"engine", text(engine)},
+            {"version", version(engine)},
             {"snippets", Json::array()}};
   for (const Snippet& snippet : snippets) json["snippets"].push_back(json_of(snippet));
   return console::document(json);

@@ -39,7 +39,9 @@ void check(const ExportCase& what) {
 }
 
 struct ParametersInWords {
-  std::string operator()(const Linear& l) const { return "k = " + number(l.k()) + " N/m, c = " + number(l.c()) + " kg/s"; }
+  std::string operator()(const Linear& l) const {
+    return "k = " + number(l.k()) + " N/m, c = " + number(l.c()) + " kg/s";
+  }
   std::string operator()(const KuwabaraKono& l) const {
     return "k = " + number(l.k()) + " N/m^(3/2), c = " + number(l.c()) + " kg/(s m^(1/2))";
   }
@@ -80,8 +82,9 @@ void append_comment(std::string& text, std::string_view mark, std::string_view s
 
 std::string heading(const Language& in, const ExportCase& what) {
   std::string text;
-  append_comment(text, in.comment, "Ricochet: " + std::string(name(what.law)) + " law, contact ended by " +
-                                std::string(word(what.end)) + ", for " + std::string(in.version) + ", SI units");
+  append_comment(text, in.comment,
+                 "Ricochet: " + std::string(name(what.law)) + " law, contact ended by " + std::string(word(what.end)) +
+                     ", for " + std::string(in.version) + ", SI units");
   std::string pair = "Target: collision time " + number(what.tcol) + " s, restitution " + number(what.en) + " at " +
                      number(what.impact.velocity) + " m/s, effective mass " + number(what.impact.mass_eff) + " kg";
   if (what.radius_eff) pair += ", effective radius " + number(*what.radius_eff) + " m";
@@ -176,8 +179,9 @@ std::string rounded(double value) {
 Body absent(std::string why) { return {.remarks = {std::move(why)}}; }
 
 Body needs_radius() {
-  return absent("NOT WRITTEN: this law's input depends on the grains' radius here. Give --radius and --density "
-                "instead of --mass-eff.");
+  return absent(
+      "NOT WRITTEN: this law's input depends on the grains' radius here. Give --radius and --density "
+      "instead of --mass-eff.");
 }
 
 std::string tied_to_pair() {

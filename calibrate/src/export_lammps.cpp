@@ -38,9 +38,10 @@ struct Lammps {
 
   Body operator()(const Linear& law) const {
     return {.fidelity = Fidelity::exact,
-            .remarks = {setting(), "damping velocity takes c in kg/s as it is, for every pair. The styles gran/hooke "
-                                   "and gran/hooke/history take it per effective mass instead: gamma_n = " +
-                                       number(law.c() / what.impact.mass_eff) + " 1/s here."},
+            .remarks = {setting(),
+                        "damping velocity takes c in kg/s as it is, for every pair. The styles gran/hooke "
+                        "and gran/hooke/history take it per effective mass instead: gamma_n = " +
+                            number(law.c() / what.impact.mass_eff) + " 1/s here."},
             .lines = pair("hooke " + number(law.k()) + " " + number(law.c()), "velocity")};
   }
 
@@ -48,8 +49,9 @@ struct Lammps {
     if (!what.radius_eff) return needs_radius();
     const double root = std::sqrt(*what.radius_eff);
     return {.fidelity = Fidelity::exact,
-            .remarks = {setting(), "hertz multiplies its stiffness by the contact radius sqrt(R overlap), damping "
-                                   "viscoelastic by that and the effective mass: k/sqrt(R), c/(m sqrt(R)).",
+            .remarks = {setting(),
+                        "hertz multiplies its stiffness by the contact radius sqrt(R overlap), damping "
+                        "viscoelastic by that and the effective mass: k/sqrt(R), c/(m sqrt(R)).",
                         tied_to_pair()},
             .lines = pair("hertz " + number(law.k() / root) + " " + number(law.c() / (what.impact.mass_eff * root)),
                           "viscoelastic")};
@@ -58,7 +60,8 @@ struct Lammps {
   Body operator()(const Tsuji& law) const {
     if (!what.radius_eff) return needs_radius();
     const std::string normal = "hertz " + number(law.k() / std::sqrt(*what.radius_eff)) + " ";
-    if (law.c() == 0) return {.fidelity = Fidelity::exact, .remarks = {setting()}, .lines = pair(normal + "0", "velocity")};
+    if (law.c() == 0)
+      return {.fidelity = Fidelity::exact, .remarks = {setting()}, .lines = pair(normal + "0", "velocity")};
     const double eta = law.c() / std::sqrt(what.impact.mass_eff * law.k());
     const auto argument = polynomial_argument(eta);
     if (!argument)
@@ -67,7 +70,8 @@ struct Lammps {
     Body body{.fidelity = Fidelity::exact,
               .remarks = {setting(),
                           "damping tsuji turns its number into c/sqrt(m k) by a polynomial that was fitted for the "
-                          "particle's mass and is applied to the pair's: asked for " + rounded(what.en) +
+                          "particle's mass and is applied to the pair's: asked for " +
+                              rounded(what.en) +
                               " it would not give it. The number below is the argument at which the polynomial has "
                               "this law's value, not a restitution.",
                           keeps_restitution()},

@@ -31,22 +31,25 @@ struct Liggghts {
   }
 
   Body operator()(const Linear& law) const {
-    return {.fidelity = Fidelity::exact,
-            .remarks = {setting(), "absolute_damping on takes c in kg/s as it is; without it LIGGGHTS wants gamman per "
-                                   "effective mass, " + number(law.c() / what.impact.mass_eff) +
-                                       " 1/s here. limitForce on clips the attractive part of the force."},
-            .lines = with_style({property("kn", law.k()), property("kt", 0), property("gamman_abs", law.c()),
-                                 property("gammat_abs", 0)},
-                                "hooke/stiffness tangential off absolute_damping on " + limit() +
-                                    " tangential_damping off")};
+    return {
+        .fidelity = Fidelity::exact,
+        .remarks = {setting(),
+                    "absolute_damping on takes c in kg/s as it is; without it LIGGGHTS wants gamman per "
+                    "effective mass, " +
+                        number(law.c() / what.impact.mass_eff) +
+                        " 1/s here. limitForce on clips the attractive part of the force."},
+        .lines = with_style(
+            {property("kn", law.k()), property("kt", 0), property("gamman_abs", law.c()), property("gammat_abs", 0)},
+            "hooke/stiffness tangential off absolute_damping on " + limit() + " tangential_damping off")};
   }
 
   Body operator()(const KuwabaraKono& law) const {
     if (!what.radius_eff) return needs_radius();
     const double root = std::sqrt(*what.radius_eff);
     return {.fidelity = Fidelity::exact,
-            .remarks = {setting(), "hertz/stiffness multiplies kn by sqrt(R overlap), gamman by that and the effective "
-                                   "mass: k/sqrt(R), c/(m sqrt(R)).",
+            .remarks = {setting(),
+                        "hertz/stiffness multiplies kn by sqrt(R overlap), gamman by that and the effective "
+                        "mass: k/sqrt(R), c/(m sqrt(R)).",
                         tied_to_pair()},
             .lines = with_style({property("kn", law.k() / root), property("kt", 0),
                                  property("gamman", law.c() / (what.impact.mass_eff * root)), property("gammat", 0)},
@@ -67,14 +70,17 @@ struct Liggghts {
     lines.push_back(property("poissonsRatio", poisson, "peratomtype"));
     lines.push_back(property("coefficientRestitution", *en));
     Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(), "hertz knows moduli, not stiffnesses: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for "
-                                     "two equal bodies.",
+              .remarks = {setting(),
+                          "hertz knows moduli, not stiffnesses: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for "
+                          "two equal bodies.",
                           keeps_restitution()},
               .lines = with_style(lines, "hertz tangential off " + limit() + " tangential_damping off")};
     if (what.end == ContactEnd::force)
-      body.remarks.push_back("LIGGGHTS derives the damping for a force that may attract, so with limitForce on it "
-                             "rebounds faster than asked; the coefficientRestitution below is the one whose damping "
-                             "gives " + number(what.en) + ".");
+      body.remarks.push_back(
+          "LIGGGHTS derives the damping for a force that may attract, so with limitForce on it "
+          "rebounds faster than asked; the coefficientRestitution below is the one whose damping "
+          "gives " +
+          number(what.en) + ".");
     return body;
   }
 
@@ -88,26 +94,29 @@ struct Liggghts {
             .remarks = {setting(),
                         "luding lets the unloading stiffness grow from k1 at no overlap to k2 at a limit, set here to "
                         "the greatest overlap of the target's impact: its collision time and restitution are met there "
-                        "alone. At half the velocity the restitution is " + rounded(std::sqrt(half)) +
-                            " (constant k2: " + rounded(what.en) + ")."},
-            .lines = with_style({property("LoadingStiffness", law.k1()),
-                                 property("UnloadingStiffness", law.k2() / law.k1()),
-                                 property("coefficientAdhesionStiffness", 0),
-                                 property("coefficientPlasticityDepth", depth), property("pullOffForce", 0),
-                                 property("coefficientRestitution", 1)},
-                                "luding tangential off")};
+                        "alone. At half the velocity the restitution is " +
+                            rounded(std::sqrt(half)) + " (constant k2: " + rounded(what.en) + ")."},
+            .lines =
+                with_style({property("LoadingStiffness", law.k1()), property("UnloadingStiffness", law.k2() / law.k1()),
+                            property("coefficientAdhesionStiffness", 0), property("coefficientPlasticityDepth", depth),
+                            property("pullOffForce", 0), property("coefficientRestitution", 1)},
+                           "luding tangential off")};
   }
 
   Body operator()(const Fractional& law) const {
     if (what.end != ContactEnd::force)
       return absent("NOT WRITTEN: normal fractional ends contacts by force; export with --end force.");
     return {.fidelity = Fidelity::exact,
-            .remarks = {setting(), "Run with liggghts-ricochet, which adds this model to LIGGGHTS. Only c^alpha "
-                                   "k^(1-alpha) acts, for every pair alike.",
+            .remarks = {setting(),
+                        "Run with liggghts-ricochet, which adds this model to LIGGGHTS. Only c^alpha "
+                        "k^(1-alpha) acts, for every pair alike.",
                         "For the same collision time and restitution at every pair's own mass, give in place of the "
                         "three properties: fix ricochet_collisionTime all property/global collisionTime "
-                        "peratomtypepair 1 " + number(what.tcol) + " and fix ricochet_coefficientRestitution all "
-                        "property/global coefficientRestitution peratomtypepair 1 " + number(what.en)},
+                        "peratomtypepair 1 " +
+                            number(what.tcol) +
+                            " and fix ricochet_coefficientRestitution all "
+                            "property/global coefficientRestitution peratomtypepair 1 " +
+                            number(what.en)},
             .lines = with_style({property("fractionalK", law.k()), property("fractionalC", law.c()),
                                  property("fractionalAlpha", law.alpha())},
                                 "fractional tangential off")};

@@ -29,10 +29,12 @@ struct MercuryDpm {
 
   Body operator()(const Linear& law) const {
     const std::string of = "LinearViscoelasticSpecies";
-    Body body{.fidelity = Fidelity::exact,
-              .remarks = {header(of), "setDissipation takes c in kg/s of the pair as it is. setCollisionTimeAnd"
-                                      "RestitutionCoefficient(tc, e, mass) wants twice the effective mass."},
-              .lines = species(of, {"setStiffness(" + number(law.k()) + ")", "setDissipation(" + number(law.c()) + ")"})};
+    Body body{
+        .fidelity = Fidelity::exact,
+        .remarks = {header(of),
+                    "setDissipation takes c in kg/s of the pair as it is. setCollisionTimeAnd"
+                    "RestitutionCoefficient(tc, e, mass) wants twice the effective mass."},
+        .lines = species(of, {"setStiffness(" + number(law.k()) + ")", "setDissipation(" + number(law.c()) + ")"})};
     end_otherwise(body, what, ContactEnd::overlap, attracts());
     return body;
   }
@@ -41,23 +43,26 @@ struct MercuryDpm {
     if (!what.radius_eff) return needs_radius();
     const std::string of = "HertzianBSHPViscoelasticSpecies";
     return {.fidelity = Fidelity::exact,
-            .remarks = {header(of), "Dissipation is Brilliantov's A in seconds, c = (3/2) A k, and the modulus is E*, "
-                                    "k = (4/3) E* sqrt(R): other radii keep the same material. This species clips the "
-                                    "attractive part of its force."},
-            .lines = species(of, {"setEffectiveElasticModulus(" + number(effective_modulus(law.k(), *what.radius_eff)) + ")",
-                                  "setDissipation(" + number(2 * law.c() / (3 * law.k())) + ")"})};
+            .remarks = {header(of),
+                        "Dissipation is Brilliantov's A in seconds, c = (3/2) A k, and the modulus is E*, "
+                        "k = (4/3) E* sqrt(R): other radii keep the same material. This species clips the "
+                        "attractive part of its force."},
+            .lines =
+                species(of, {"setEffectiveElasticModulus(" + number(effective_modulus(law.k(), *what.radius_eff)) + ")",
+                             "setDissipation(" + number(2 * law.c() / (3 * law.k())) + ")"})};
   }
 
   Body operator()(const Tsuji& law) const {
     if (!what.radius_eff) return needs_radius();
     const std::string of = "HertzianViscoelasticSpecies";
     Body body{.fidelity = Fidelity::exact,
-              .remarks = {header(of), "The modulus is E*, k = (4/3) E* sqrt(R). Dissipation has no unit: c = dissipation "
-                                      "sqrt(m k).",
+              .remarks = {header(of),
+                          "The modulus is E*, k = (4/3) E* sqrt(R). Dissipation has no unit: c = dissipation "
+                          "sqrt(m k).",
                           keeps_restitution()},
-              .lines = species(of, {"setEffectiveElasticModulus(" + number(effective_modulus(law.k(), *what.radius_eff)) + ")",
-                                    "setDissipation(" +
-                                        number(law.c() / std::sqrt(what.impact.mass_eff * law.k())) + ")"})};
+              .lines = species(
+                  of, {"setEffectiveElasticModulus(" + number(effective_modulus(law.k(), *what.radius_eff)) + ")",
+                       "setDissipation(" + number(law.c() / std::sqrt(what.impact.mass_eff * law.k())) + ")"})};
     end_otherwise(body, what, ContactEnd::overlap, attracts());
     return body;
   }
@@ -65,9 +70,10 @@ struct MercuryDpm {
   Body operator()(const Hysteretic& law) const {
     const std::string of = "LinearPlasticViscoelasticSpecies";
     return {.fidelity = Fidelity::exact,
-            .remarks = {header(of), "Without setDoConstantUnloadingStiffness(true) the unloading stiffness grows with "
-                                    "the overlap. The last plastic parameter, a depth of 1 in units of the effective "
-                                    "diameter, keeps the limit out of reach."},
+            .remarks = {header(of),
+                        "Without setDoConstantUnloadingStiffness(true) the unloading stiffness grows with "
+                        "the overlap. The last plastic parameter, a depth of 1 in units of the effective "
+                        "diameter, keeps the limit out of reach."},
             .lines = species(of, {"setPlasticParameters(" + number(law.k1()) + ", " + number(law.k2()) + ", 0, 1)",
                                   "setDoConstantUnloadingStiffness(true)", "setDissipation(0)"})};
   }

@@ -25,8 +25,9 @@ struct Mfix {
     const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff));
     if (!en) return overdamped();
     Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(), "LSD takes the stiffness and a restitution e, from which it computes c = 2 sqrt(m k) "
-                                     "|ln e|/sqrt(pi^2 + ln^2 e): exact for a contact ended by overlap, at every mass."},
+              .remarks = {setting(),
+                          "LSD takes the stiffness and a restitution e, from which it computes c = 2 sqrt(m k) "
+                          "|ln e|/sqrt(pi^2 + ln^2 e): exact for a contact ended by overlap, at every mass."},
               .lines = {"DES_COLL_MODEL = 'LSD'", "KN = " + number(law.k()), "KN_W = " + number(law.k()),
                         "DES_EN_INPUT(1) = " + number(*en), "DES_EN_WALL_INPUT(1) = " + number(*en), "MEW = 0.0",
                         "MEW_W = 0.0"}};
@@ -44,25 +45,23 @@ struct Mfix {
     if (!en) return overdamped();
     const std::string young = number(youngs_modulus(effective_modulus(law.k(), *what.radius_eff), poisson));
     const std::string nu = number(poisson);
-    Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(), "HERTZIAN knows moduli: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for two equal bodies. "
-                                     "MFiX up to 21.3.2 computed the damping with a factor 2 in place of sqrt(5) and gives " +
-                                         rounded(restitution_of_damping(
-                                             2 / std::sqrt(5.0) * damping_ratio(law, what.impact.mass_eff),
-                                             ContactEnd::overlap)) +
-                                         " with these numbers.",
-                          keeps_restitution()},
-              .lines = {"DES_COLL_MODEL = 'HERTZIAN'", "E_YOUNG(1) = " + young, "EW_YOUNG = " + young,
-                        "V_POISSON(1) = " + nu, "VW_POISSON = " + nu, "DES_EN_INPUT(1) = " + number(*en),
-                        "DES_EN_WALL_INPUT(1) = " + number(*en), "DES_ET_INPUT(1) = 1.0", "DES_ET_WALL_INPUT(1) = 1.0",
-                        "MEW = 0.0", "MEW_W = 0.0"}};
+    Body body{
+        .fidelity = Fidelity::exact,
+        .remarks = {setting(),
+                    "HERTZIAN knows moduli: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for two equal bodies. "
+                    "MFiX up to 21.3.2 computed the damping with a factor 2 in place of sqrt(5) and gives " +
+                        rounded(restitution_of_damping(2 / std::sqrt(5.0) * damping_ratio(law, what.impact.mass_eff),
+                                                       ContactEnd::overlap)) +
+                        " with these numbers.",
+                    keeps_restitution()},
+        .lines = {"DES_COLL_MODEL = 'HERTZIAN'", "E_YOUNG(1) = " + young, "EW_YOUNG = " + young, "V_POISSON(1) = " + nu,
+                  "VW_POISSON = " + nu, "DES_EN_INPUT(1) = " + number(*en), "DES_EN_WALL_INPUT(1) = " + number(*en),
+                  "DES_ET_INPUT(1) = 1.0", "DES_ET_WALL_INPUT(1) = 1.0", "MEW = 0.0", "MEW_W = 0.0"}};
     end_otherwise(body, what, ContactEnd::overlap, attracts());
     return body;
   }
 
-  Body operator()(const Hysteretic&) const {
-    return absent("NOT WRITTEN: MFiX has no plastic loading and unloading.");
-  }
+  Body operator()(const Hysteretic&) const { return absent("NOT WRITTEN: MFiX has no plastic loading and unloading."); }
 
   Body operator()(const Fractional&) const {
     return absent("NOT WRITTEN: MFiX has no law with memory; LIGGGHTS runs it through liggghts-ricochet.");

@@ -12,7 +12,8 @@ struct Yade {
   const ExportCase& what;
 
   static std::string setting() {
-    return "Defines material, ip2 and law2: O.materials.append(material), and InteractionLoop([Ig2_Sphere_Sphere_ScGeom()"
+    return "Defines material, ip2 and law2: O.materials.append(material), and "
+           "InteractionLoop([Ig2_Sphere_Sphere_ScGeom()"
            "], [ip2], [law2]). Set NewtonIntegrator(damping=0): its default of 0.2 would slow every grain. Grains are "
            "frictionless here.";
   }
@@ -27,12 +28,13 @@ struct Yade {
   }
 
   Body operator()(const Linear& law) const {
-    Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(), "Yade joins the two grains' springs and dashpots in series, so the material "
-                                     "carries twice the pair's k and c."},
-              .lines = {material("ViscElMat", "kn=" + number(2 * law.k()) + ", cn=" + number(2 * law.c()) +
-                                                  ", ks=0, cs=0"),
-                        "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()", "law2 = Law2_ScGeom_ViscElPhys_Basic()"}};
+    Body body{
+        .fidelity = Fidelity::exact,
+        .remarks = {setting(),
+                    "Yade joins the two grains' springs and dashpots in series, so the material "
+                    "carries twice the pair's k and c."},
+        .lines = {material("ViscElMat", "kn=" + number(2 * law.k()) + ", cn=" + number(2 * law.c()) + ", ks=0, cs=0"),
+                  "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()", "law2 = Law2_ScGeom_ViscElPhys_Basic()"}};
     end_otherwise(body, what, ContactEnd::force, clips());
     return body;
   }
@@ -47,10 +49,11 @@ struct Yade {
     // c = 2 betan √(m K_t), K_t = (3/2)kζ^{1/2}, and c = β√(5mk)ζ^{1/4}.
     const double betan = damping_ratio(law, what.impact.mass_eff) * std::sqrt(5.0 / 6.0);
     Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(), "Mindlin's law knows moduli: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for two equal "
-                                     "bodies. betan is the fraction of the critical damping of the tangent stiffness, "
-                                     "exact at every mass; en= would go through a polynomial, and in Yade of 2019 "
-                                     "through a formula for another end of contact.",
+              .remarks = {setting(),
+                          "Mindlin's law knows moduli: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for two equal "
+                          "bodies. betan is the fraction of the critical damping of the tangent stiffness, "
+                          "exact at every mass; en= would go through a polynomial, and in Yade of 2019 "
+                          "through a formula for another end of contact.",
                           keeps_restitution()},
               .lines = {material("FrictMat", "young=" + number(young) + ", poisson=" + number(poisson)),
                         "ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(betan=" + number(betan) + ", betas=0)",
@@ -69,8 +72,8 @@ struct Yade {
             .remarks = {setting(),
                         "LudingMat lets the unloading stiffness grow from k1 at no overlap to kp at a limit, set here "
                         "to the greatest overlap of the target's impact: its collision time and restitution are met "
-                        "there alone. At half the velocity the restitution is " + rounded(std::sqrt(half)) +
-                            " (constant k2: " + rounded(what.en) + ")."},
+                        "there alone. At half the velocity the restitution is " +
+                            rounded(std::sqrt(half)) + " (constant k2: " + rounded(what.en) + ")."},
             .lines = {material("LudingMat", "k1=" + number(law.k1()) + ", kp=" + number(law.k2()) +
                                                 ", kc=0, ks=0, G0=0, PhiF=" + number(depth)),
                       "ip2 = Ip2_LudingMat_LudingMat_LudingPhys()", "law2 = Law2_ScGeom_LudingPhys_Basic()"}};

@@ -4,8 +4,10 @@
 #include <ricochet/contact/damping_ratio.hpp>
 #include <ricochet/contact/peer_damping.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 using namespace ricochet;
@@ -17,7 +19,12 @@ namespace {
 constexpr double radius_eff = 0.75e-3, mass_eff = 7.06858e-6;
 
 ExportCase with(AnyLaw law, ContactEnd end) {
-  return {.law = law, .end = end, .tcol = 1e-4, .en = 0.5, .impact = {0.5, mass_eff}, .radius_eff = radius_eff,
+  return {.law = law,
+          .end = end,
+          .tcol = 1e-4,
+          .en = 0.5,
+          .impact = {0.5, mass_eff},
+          .radius_eff = radius_eff,
           .density = 1000};
 }
 
@@ -28,9 +35,10 @@ const Hysteretic hysteretic(3924, 15697);
 const Fractional fractional(5225, 0.2964, 0.3197);
 
 std::vector<ExportCase> all_cases() {
-  return {with(linear, ContactEnd::overlap), with(linear_by_force, ContactEnd::force),
-          with(kuwabara_kono, ContactEnd::force), with(tsuji, ContactEnd::overlap), with(tsuji, ContactEnd::force),
-          with(hysteretic, ContactEnd::force), with(fractional, ContactEnd::force)};
+  return {with(linear, ContactEnd::overlap),      with(linear_by_force, ContactEnd::force),
+          with(kuwabara_kono, ContactEnd::force), with(tsuji, ContactEnd::overlap),
+          with(tsuji, ContactEnd::force),         with(hysteretic, ContactEnd::force),
+          with(fractional, ContactEnd::force)};
 }
 
 /// The lines of a snippet that an engine acts on.
@@ -38,7 +46,8 @@ std::string active(const Snippet& snippet) {
   std::istringstream lines(snippet.text);
   std::string kept;
   for (std::string line; std::getline(lines, line);)
-    if (!line.empty() && !line.starts_with("#") && !line.starts_with("//") && !line.starts_with("!")) kept += line + "\n";
+    if (!line.empty() && !line.starts_with("#") && !line.starts_with("//") && !line.starts_with("!"))
+      kept += line + "\n";
   return kept;
 }
 
@@ -50,7 +59,9 @@ double after(const Snippet& snippet, const std::string& mark) {
   return std::stod(text.substr(at + mark.size()));
 }
 
-bool acts_on(const Snippet& snippet, const std::string& words) { return active(snippet).find(words) != std::string::npos; }
+bool acts_on(const Snippet& snippet, const std::string& words) {
+  return active(snippet).find(words) != std::string::npos;
+}
 
 constexpr double overlap = 1.7e-5, rate = -0.21;  // any instant of a contact
 
@@ -117,7 +128,8 @@ TEST_CASE("LIGGGHTS: the force formed from the snippet's numbers as LIGGGHTS for
   CHECK(acts_on(hooke, "limitForce off"));
 
   const auto stiffness = export_law(Engine::liggghts, with(kuwabara_kono, ContactEnd::force));
-  CHECK(contact_radius * (after(stiffness, " kn" + each) * overlap + mass_eff * after(stiffness, " gamman" + each) * rate) ==
+  CHECK(contact_radius *
+            (after(stiffness, " kn" + each) * overlap + mass_eff * after(stiffness, " gamman" + each) * rate) ==
         Approx(law_force(kuwabara_kono)).epsilon(1e-14));
   CHECK(acts_on(stiffness, "limitForce on"));
 
@@ -126,7 +138,7 @@ TEST_CASE("LIGGGHTS: the force formed from the snippet's numbers as LIGGGHTS for
     const double nu = after(hertz, "poissonsRatio peratomtype ");
     const double modulus = 1 / (2 * (1 - nu * nu) / after(hertz, "youngsModulus peratomtype "));
     const double log_en = std::log(after(hertz, "coefficientRestitution" + each));
-    const double beta = log_en / std::sqrt(log_en * log_en + M_PI * M_PI);
+    const double beta = log_en / std::sqrt(log_en * log_en + std::numbers::pi * std::numbers::pi);
     const double damping = -2 * std::sqrt(5.0 / 6.0) * beta * std::sqrt(2 * modulus * contact_radius * mass_eff);
     CHECK(4.0 / 3.0 * modulus * contact_radius * overlap + damping * rate == Approx(law_force(tsuji)).epsilon(1e-13));
     CHECK(acts_on(hertz, end == ContactEnd::force ? "limitForce on" : "limitForce off"));
@@ -197,7 +209,9 @@ TEST_CASE("MercuryDPM: the force formed from the snippet's numbers as MercuryDPM
 }
 
 TEST_CASE("MFiX: the force formed from the snippet's numbers as MFiX forms it is the law's") {
-  const auto damping_factor = [](double en) { return std::abs(std::log(en)) / std::hypot(M_PI, std::log(en)); };
+  const auto damping_factor = [](double en) {
+    return std::abs(std::log(en)) / std::hypot(std::numbers::pi, std::log(en));
+  };
   const auto lsd = export_law(Engine::mfix, with(linear, ContactEnd::overlap));
   const double kn = after(lsd, "KN = ");
   CHECK(kn * overlap + 2 * std::sqrt(kn * mass_eff) * damping_factor(after(lsd, "DES_EN_INPUT(1) = ")) * rate ==

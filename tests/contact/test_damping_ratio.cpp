@@ -67,8 +67,10 @@ TEST_CASE("peer formulas that are exact for their law and end return what was as
     CHECK(ids.insert(peer.id).second);
     for (const double en : {0.05, 0.3, 0.5, 0.95}) {
       const double obtained = restitution_of_damping(peer.damping_ratio(en), peer.end);
-      if (peer.exact) CHECK(obtained == Approx(en).epsilon(1e-14));
-      else CHECK(std::abs(obtained - en) > 1e-6);
+      if (peer.exact)
+        CHECK(obtained == Approx(en).epsilon(1e-14));
+      else
+        CHECK(std::abs(obtained - en) > 1e-6);
     }
   }
 }

@@ -89,21 +89,30 @@ std::string grains(const Encounter& pair, const Start& start, const char* units)
 std::string lammps_run(const Encounter& pair, double step, const std::string& out) {
   const Start start = start_of(pair, step);
   return "units si\natom_style sphere\natom_modify map array sort 0 0\nnewton off\ncomm_modify vel yes\n"
-         "boundary f f f\n" + box(10 * pair.radius, "") + grains(pair, start, "") + "include snippet\nneighbor " +
-         shortest(pair.radius) + " bin\nneigh_modify delay 0 every 1 check yes\ntimestep " + shortest(step) +
+         "boundary f f f\n" +
+         box(10 * pair.radius, "") + grains(pair, start, "") + "include snippet\nneighbor " + shortest(pair.radius) +
+         " bin\nneigh_modify delay 0 every 1 check yes\ntimestep " + shortest(step) +
          "\nfix integrate all nve/sphere\nthermo 100000000\n"
-         "dump out all custom 1 " + out + " id x vx fx\n"
-         "dump_modify out sort id format line \"%d %.17g %.17g %.17g\"\nrun " + std::to_string(start.steps) + "\n";
+         "dump out all custom 1 " +
+         out +
+         " id x vx fx\n"
+         "dump_modify out sort id format line \"%d %.17g %.17g %.17g\"\nrun " +
+         std::to_string(start.steps) + "\n";
 }
 
 std::string liggghts_run(const Encounter& pair, double step, const std::string& out) {
   const Start start = start_of(pair, step);
   return "atom_style granular\natom_modify map array sort 0 0\nboundary f f f\nnewton off\n"
-         "communicate single vel yes\nunits si\n" + box(10 * pair.radius, " units box") + "neighbor " +
-         shortest(pair.radius) + " bin\nneigh_modify delay 0\ninclude snippet\n" + grains(pair, start, " units box") +
-         "timestep " + shortest(step) + "\nfix integrate all nve/sphere\nthermo 100000000\n"
-         "dump out all custom 1 " + out + " id x vx fx\n"
-         "dump_modify out sort id format \"%d %.17g %.17g %.17g\"\nrun " + std::to_string(start.steps) + "\n";
+         "communicate single vel yes\nunits si\n" +
+         box(10 * pair.radius, " units box") + "neighbor " + shortest(pair.radius) +
+         " bin\nneigh_modify delay 0\ninclude snippet\n" + grains(pair, start, " units box") + "timestep " +
+         shortest(step) +
+         "\nfix integrate all nve/sphere\nthermo 100000000\n"
+         "dump out all custom 1 " +
+         out +
+         " id x vx fx\n"
+         "dump_modify out sort id format \"%d %.17g %.17g %.17g\"\nrun " +
+         std::to_string(start.steps) + "\n";
 }
 
 /// The dump of both: per step a header that ends in "ITEM: ATOMS", then one line a sphere.
@@ -180,7 +189,8 @@ std::string last_words(const std::string& log) {
 
 /// Runs the command in the folder; what it says goes into the file `log` there.
 void run_in(const ScratchFolder& folder, const std::string& command, const char* what) {
-  const std::string line = "cd '" + folder.path().string() + "' && QT_QPA_PLATFORM=offscreen OMPI_MCA_ess_singleton_isolated=1 " + command +
+  const std::string line = "cd '" + folder.path().string() +
+                           "' && QT_QPA_PLATFORM=offscreen OMPI_MCA_ess_singleton_isolated=1 " + command +
                            " >log 2>&1 </dev/null";
   if (std::system(line.c_str()) != 0) throw console::Failed(std::string(what) + ": " + last_words(folder.read("log")));
 }

@@ -12,8 +12,8 @@ namespace ricochet::verify {
 struct Instant {
   double time;     ///< from the start of the run [s]
   double overlap;  ///< [m]
-  double rate;     ///< of the overlap [m/s]; in Yade, whose velocities are half a step behind, that of half a step before
-  double force;    ///< repulsion [N]
+  double rate;   ///< of the overlap [m/s]; in Yade, whose velocities are half a step behind, that of half a step before
+  double force;  ///< repulsion [N]
 };
 using Trajectory = std::vector<Instant>;
 
@@ -42,7 +42,8 @@ class EngineProgram {
 
   /// Runs the encounter once for each time step [s], with the contact that the snippet sets up. Throws console::Failed
   /// with the engine's last words when it doesn't end well.
-  std::vector<Trajectory> run(const std::string& snippet, const Encounter& pair, const std::vector<double>& steps) const;
+  std::vector<Trajectory> run(const std::string& snippet, const Encounter& pair,
+                              const std::vector<double>& steps) const;
 
  private:
   EngineProgram(calibration::Engine engine, std::string command) : engine_(engine), command_(std::move(command)) {}

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 namespace ricochet::verify {
 
@@ -21,8 +21,8 @@ using calibration::Engine;
 using console::Column;
 using console::Json;
 using console::Notation;
-using console::Table;
 using console::shortest;
+using console::Table;
 
 // Two spheres of Table II: r = 1.5 mm, 1000 kg/m³.
 constexpr double tcol = 1e-4;
@@ -34,12 +34,12 @@ constexpr std::size_t at_200 = 3, finest = 4;
 /// One contact in one engine: what it is given and what shall come out when the step goes to zero.
 struct Case {
   Engine engine;
-  std::string contact;       ///< "tsuji, force" or the engine's own input
+  std::string contact;  ///< "tsuji, force" or the engine's own input
   std::string snippet;
-  ContactEnd end;            ///< which zero is timed
+  ContactEnd end;  ///< which zero is timed
   double en_asked;
-  double en, tcol;           ///< in the limit; tcol 0: not known
-  std::optional<AnyLaw> law; ///< what the engine runs, where its stepping can be repeated with it
+  double en, tcol;            ///< in the limit; tcol 0: not known
+  std::optional<AnyLaw> law;  ///< what the engine runs, where its stepping can be repeated with it
   bool fractional = false;
 };
 
@@ -49,9 +49,9 @@ struct Measured {
 
 struct Outcome {
   Case what;
-  std::vector<Measured> at;                  ///< over resolutions
-  Measured limit{};                          ///< extrapolated from the two finest steps, for errors of first order
-  std::optional<double> repeated = {};            ///< greatest relative difference of en from the engine's stepping repeated
+  std::vector<Measured> at;             ///< over resolutions
+  Measured limit{};                     ///< extrapolated from the two finest steps, for errors of first order
+  std::optional<double> repeated = {};  ///< greatest relative difference of en from the engine's stepping repeated
   double error(std::size_t i) const { return std::abs(at[i].en / what.en - 1); }
 };
 
@@ -99,21 +99,25 @@ std::optional<Trajectory> repeat_stepping(const AnyLaw& law, ContactEnd end, dou
 
 AnyLaw calibrated(calibration::LawName law, ContactEnd end, double en) {
   const calibration::Request request{law, end, {tcol, en, {pair.velocity, pair.mass_eff()}}};
-  return std::get<calibration::Calibration>(
-             calibration::calibrate(request, {.method = calibration::Method::direct})).law;
+  return std::get<calibration::Calibration>(calibration::calibrate(request, {.method = calibration::Method::direct}))
+      .law;
 }
 
 /// Every law that the engine can be given, as `calibrate --export` writes it.
 void add_exports(std::vector<Case>& cases, Engine engine) {
   using calibration::LawName;
   for (const double en : {0.5, 0.9})
-    for (const auto law : {LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic,
-                           LawName::fractional})
+    for (const auto law :
+         {LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic, LawName::fractional})
       for (const auto end : {ContactEnd::overlap, ContactEnd::force}) {
         if (!calibration::offers(law, end)) continue;
-        const calibration::ExportCase what{.law = calibrated(law, end, en), .end = end, .tcol = tcol, .en = en,
+        const calibration::ExportCase what{.law = calibrated(law, end, en),
+                                           .end = end,
+                                           .tcol = tcol,
+                                           .en = en,
                                            .impact = {pair.velocity, pair.mass_eff()},
-                                           .radius_eff = pair.radius_eff(), .density = pair.density};
+                                           .radius_eff = pair.radius_eff(),
+                                           .density = pair.density};
         const auto snippet = calibration::export_law(engine, what);
         if (snippet.fidelity == calibration::Fidelity::absent) continue;
         const bool exact = snippet.fidelity == calibration::Fidelity::exact;
@@ -121,8 +125,9 @@ void add_exports(std::vector<Case>& cases, Engine engine) {
         const bool other_end = snippet.gives.status == CollisionStatus::ended_by_force && end == ContactEnd::overlap;
         const ContactEnd runs = other_end ? ContactEnd::force : end;
         const bool repeatable = exact || other_end;
-        cases.push_back({engine, "exported " + std::string(calibration::text(law)) + ", " + std::string(calibration::text(end)), snippet.text, runs,
-                         en, snippet.gives.en, snippet.gives.tcol,
+        cases.push_back({engine,
+                         "exported " + std::string(calibration::text(law)) + ", " + std::string(calibration::text(end)),
+                         snippet.text, runs, en, snippet.gives.en, snippet.gives.tcol,
                          repeatable ? std::optional(what.law) : std::nullopt, law == LawName::fractional});
       }
 }
@@ -142,16 +147,20 @@ void add_own_formulas(std::vector<Case>& cases, Engine engine) {
     const double beta = p.damping_ratio(asked), loss = -std::log(asked);
     const AnyLaw law = p.law == PeerLaw::tsuji
                            ? AnyLaw(Tsuji(k, beta * std::sqrt(5 * m * k)))
-                           : AnyLaw(Linear(m * (9.869604401089358 + loss * loss) / (tcol * tcol), 2 * m * loss / tcol));
-    cases.push_back({engine, "own: " + std::string(id), snippet, p.end, asked, restitution_of_damping(beta, p.end), 0, law});
+                           : AnyLaw(Linear(m * (std::numbers::pi * std::numbers::pi + loss * loss) / (tcol * tcol),
+                                           2 * m * loss / tcol));
+    cases.push_back(
+        {engine, "own: " + std::string(id), snippet, p.end, asked, restitution_of_damping(beta, p.end), 0, law});
   };
-  const std::string material = "fix young all property/global youngsModulus peratomtype 1e8\n"
-                               "fix nu all property/global poissonsRatio peratomtype 0.3\n"
-                               "fix en all property/global coefficientRestitution peratomtypepair 1 0.5\n"
-                               "pair_style gran model hertz tangential off limitForce ";
-  const std::string mindlin = "material = FrictMat(young=1e8, poisson=0.3, frictionAngle=0)\n"
-                              "law2 = Law2_ScGeom_MindlinPhys_Mindlin()\n"
-                              "ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, es=0.5)\n";
+  const std::string material =
+      "fix young all property/global youngsModulus peratomtype 1e8\n"
+      "fix nu all property/global poissonsRatio peratomtype 0.3\n"
+      "fix en all property/global coefficientRestitution peratomtypepair 1 0.5\n"
+      "pair_style gran model hertz tangential off limitForce ";
+  const std::string mindlin =
+      "material = FrictMat(young=1e8, poisson=0.3, frictionAngle=0)\n"
+      "law2 = Law2_ScGeom_MindlinPhys_Mindlin()\n"
+      "ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, es=0.5)\n";
   if (engine == Engine::lammps)
     add("lammps tsuji 2021", "pair_style granular\npair_coeff * * hertz " + shortest(k / root) +
                                  " 0.5 damping tsuji tangential linear_nohistory 0.0 0.0\n");
@@ -160,8 +169,9 @@ void add_own_formulas(std::vector<Case>& cases, Engine engine) {
     add("liggghts hertz, limited", material + "on\npair_coeff * *\n");
   }
   if (engine == Engine::yade) {
-    add("yade tc-en", "material = ViscElMat(tc=1e-4, en=0.5, et=1, frictionAngle=0)\n"
-                      "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()\nlaw2 = Law2_ScGeom_ViscElPhys_Basic()\n");
+    add("yade tc-en",
+        "material = ViscElMat(tc=1e-4, en=0.5, et=1, frictionAngle=0)\n"
+        "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()\nlaw2 = Law2_ScGeom_ViscElPhys_Basic()\n");
     add("yade mindlin 2023", mindlin);
   }
 }
@@ -190,10 +200,19 @@ std::string label(const Case& what) {
 
 Table results(const std::vector<Outcome>& outcomes) {
   const Notation four{Notation::Kind::fixed, 4}, power{Notation::Kind::scientific, 1};
-  Table table({{"engine"}, {"contact"}, {"en asked", "", {Notation::Kind::fixed, 2}}, {"expected", "", four},
-               {"tcol/25", "", four}, {"tcol/50", "", four}, {"tcol/100", "", four}, {"tcol/200", "", four},
-               {"tcol/400", "", four}, {"limit", "", {Notation::Kind::fixed, 6}}, {"error at tcol/200", "", power},
-               {"tcol error, limit", "", power}, {"repeated to", "", power}},
+  Table table({{"engine"},
+               {"contact"},
+               {"en asked", "", {Notation::Kind::fixed, 2}},
+               {"expected", "", four},
+               {"tcol/25", "", four},
+               {"tcol/50", "", four},
+               {"tcol/100", "", four},
+               {"tcol/200", "", four},
+               {"tcol/400", "", four},
+               {"limit", "", {Notation::Kind::fixed, 6}},
+               {"error at tcol/200", "", power},
+               {"tcol error, limit", "", power},
+               {"repeated to", "", power}},
               "Restitution of two spheres in the engines, tcol = 1e-4 s");
   for (const Outcome& o : outcomes) {
     std::vector<console::Cell> cells{std::string(text(o.what.engine)), o.what.contact, o.what.en_asked, o.what.en};
@@ -204,22 +223,27 @@ Table results(const std::vector<Outcome>& outcomes) {
     cells.push_back(o.repeated ? console::Cell(*o.repeated) : console::blank());
     table.row(cells);
   }
-  table.note("expected: the target; where the engine ends contacts otherwise, what the snippet says it gives; own: what "
-             "verify peers says that the engine's formula gives.");
-  table.note("limit: extrapolated to step 0 from the two finest. repeated to: the engine's stepping done here with the "
-             "law, greatest relative difference over all steps.");
+  table.note(
+      "expected: the target; where the engine ends contacts otherwise, what the snippet says it gives; own: what "
+      "verify peers says that the engine's formula gives.");
+  table.note(
+      "limit: extrapolated to step 0 from the two finest. repeated to: the engine's stepping done here with the "
+      "law, greatest relative difference over all steps.");
   return table;
 }
 
 Table deficiencies(const std::vector<Outcome>& outcomes) {
   Table table({{"engine"}, {"contact"}, {"known deficiency"}}, "What the engines get wrong by themselves");
   for (const Outcome& o : outcomes) {
-    const auto add = [&](const std::string& text_) { table.row({std::string(text(o.what.engine)), o.what.contact, text_}); };
+    const auto add = [&](const std::string& text_) {
+      table.row({std::string(text(o.what.engine)), o.what.contact, text_});
+    };
     if (std::abs(o.what.en - o.what.en_asked) > 1e-3)
       add("en asked " + shortest(o.what.en_asked) + ", obtained " + console::fixed(o.limit.en, 4));
     if (o.error(at_200) > 1e-3)
       add("first order in the step: en off by " + console::significant(100 * o.error(at_200), 2) + " % at tcol/200, " +
-          console::significant(100 * o.error(finest), 2) + " % at tcol/400 (damping from the velocity half a step before)");
+          console::significant(100 * o.error(finest), 2) +
+          " % at tcol/400 (damping from the velocity half a step before)");
   }
   return table;
 }
@@ -228,7 +252,8 @@ void add_gates(std::vector<Gate>& gates, const Outcome& o) {
   const std::string name = label(o.what) + ": ";
   gates.push_back(at_most(name + "en in the limit, relative error", std::abs(o.limit.en / o.what.en - 1), 1e-3));
   if (o.what.tcol > 0)
-    gates.push_back(at_most(name + "tcol in the limit, relative error", std::abs(o.limit.tcol / o.what.tcol - 1), 1e-3));
+    gates.push_back(
+        at_most(name + "tcol in the limit, relative error", std::abs(o.limit.tcol / o.what.tcol - 1), 1e-3));
   // A factor of 8 to 16 for an error of first order; the coarser two together, because one alone may cross zero.
   gates.push_back(at_most(name + "en error at tcol/400 over that at tcol/25 and tcol/50",
                           o.error(finest) / std::max({o.error(0), o.error(1), 4e-5}), 0.25));
@@ -246,9 +271,16 @@ Json row(const Outcome& o) {
     en.push_back(o.at[i].en);
     times.push_back(o.at[i].tcol);
   }
-  return {{"engine", text(o.what.engine)}, {"contact", o.what.contact}, {"en_asked", o.what.en_asked},
-          {"en_expected", o.what.en}, {"tcol_expected", o.what.tcol > 0 ? Json(o.what.tcol) : Json()},
-          {"steps", steps}, {"en", en}, {"tcol", times}, {"en_limit", o.limit.en}, {"tcol_limit", o.limit.tcol},
+  return {{"engine", text(o.what.engine)},
+          {"contact", o.what.contact},
+          {"en_asked", o.what.en_asked},
+          {"en_expected", o.what.en},
+          {"tcol_expected", o.what.tcol > 0 ? Json(o.what.tcol) : Json()},
+          {"steps", steps},
+          {"en", en},
+          {"tcol", times},
+          {"en_limit", o.limit.en},
+          {"tcol_limit", o.limit.tcol},
           {"repeated_difference", o.repeated ? Json(*o.repeated) : Json()}};
 }
 
@@ -259,8 +291,10 @@ class Engines : public Study {
     return "What calibrate --export writes makes the engines that are installed here collide as asked";
   }
   void add_options(CLI::App& command) override {
-    command.add_option("--require", required_, "fail unless these engines are installed: liggghts, lammps, yade, "
-                                               "liggghts-ricochet")
+    command
+        .add_option("--require", required_,
+                    "fail unless these engines are installed: liggghts, lammps, yade, "
+                    "liggghts-ricochet")
         ->check(CLI::IsMember({"liggghts", "lammps", "yade", "liggghts-ricochet"}));
   }
   StudyResult run(const RunOptions&) override;
@@ -299,7 +333,8 @@ StudyResult Engines::run(const RunOptions&) {
     result.rows.push_back(row(o));
   }
   for (const std::string& who : required_)
-    result.gates.push_back(holds(who + " is installed", std::find(missing.begin(), missing.end(), who) == missing.end()));
+    result.gates.push_back(
+        holds(who + " is installed", std::find(missing.begin(), missing.end(), who) == missing.end()));
   result.extra["skipped"] = missing;
   result.verdict = std::to_string(outcomes.size()) + " contacts run";
   for (const std::string& who : missing) result.verdict += "; SKIPPED " + who + ": not installed here";

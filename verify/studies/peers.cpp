@@ -44,10 +44,10 @@ double obtained_restitution(const PeerDamping& peer, double asked) {
 struct Curve {
   PeerDamping peer;
   std::vector<double> obtained = {};  ///< over asked_restitutions()
-  double worst = 0;              ///< greatest |obtained − asked|
-  double worst_at = 0;           ///< where, e_n asked
-  double worst_relative = 0;     ///< greatest |obtained/asked − 1|
-  double closed_form = 0;        ///< greatest relative difference from the closed form of damping_ratio.hpp
+  double worst = 0;                   ///< greatest |obtained − asked|
+  double worst_at = 0;                ///< where, e_n asked
+  double worst_relative = 0;          ///< greatest |obtained/asked − 1|
+  double closed_form = 0;             ///< greatest relative difference from the closed form of damping_ratio.hpp
 };
 
 Curve measure(const PeerDamping& peer, const std::vector<double>& asked) {
@@ -118,8 +118,11 @@ Json rows(const std::vector<Curve>& curves, const std::vector<double>& asked) {
   Json all = Json::array();
   for (const Curve& curve : curves)
     for (std::size_t i = 0; i < asked.size(); ++i)
-      all.push_back({{"peer", curve.peer.id}, {"law", word(curve.peer.law)}, {"end", word(curve.peer.end)},
-                     {"en_asked", asked[i]}, {"en_obtained", curve.obtained[i]},
+      all.push_back({{"peer", curve.peer.id},
+                     {"law", word(curve.peer.law)},
+                     {"end", word(curve.peer.end)},
+                     {"en_asked", asked[i]},
+                     {"en_obtained", curve.obtained[i]},
                      {"error", curve.obtained[i] - asked[i]}});
   return all;
 }
@@ -154,8 +157,8 @@ console::Figure figure(const std::vector<Curve>& curves, const std::vector<doubl
       "set yrange [-0.02:0.2]\nset key top right\nset grid\nplot ";
   int column = 2;
   for (const Drawn& d : drawn) {
-    script += (column > 2 ? ", \\\n  " : "") + std::string("'peers-error.csv' skip 1 using 1:($") + std::to_string(column) +
-              "-$1) with lines lw 2 title \"" + d.title + "\"";
+    script += (column > 2 ? ", \\\n  " : "") + std::string("'peers-error.csv' skip 1 using 1:($") +
+              std::to_string(column) + "-$1) with lines lw 2 title \"" + d.title + "\"";
     ++column;
   }
   return {.name = "peers-error",

@@ -25,10 +25,10 @@ std::string_view version(Engine engine) noexcept;
 struct ExportCase {
   AnyLaw law;
   ContactEnd end;
-  double tcol, en;  ///< the target [s], [–]
-  Impact impact;    ///< at which it was calibrated
+  double tcol, en;                        ///< the target [s], [–]
+  Impact impact;                          ///< at which it was calibrated
   std::optional<double> radius_eff = {};  ///< r₁r₂/(r₁+r₂) [m], wall: r₁; the Hertzian laws of most engines need it
-  std::optional<double> density = {};     ///< of the grains [kg/m³], where the engine's material carries it
+  std::optional<double> density = {};  ///< of the grains [kg/m³], where the engine's material carries it
 };
 
 enum class Fidelity {

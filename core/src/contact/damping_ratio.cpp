@@ -27,9 +27,7 @@ double bisect(F f, double target, double low, double high) {
 }
 
 /// −ln e_n of the contact ended by force.
-double force_ended_loss(double beta) {
-  return beta <= 1 ? 2 * x_cot(std::acos(beta)) : 2 * x_coth(std::acosh(beta));
-}
+double force_ended_loss(double beta) { return beta <= 1 ? 2 * x_cot(std::acos(beta)) : 2 * x_coth(std::acosh(beta)); }
 
 /// β = cos ψ is solved for its complement φ = π/2 − ψ, because −ln e_n = 2(π/2 − φ) tan φ keeps its digits as φ → 0.
 double force_ended_damping(double loss) {

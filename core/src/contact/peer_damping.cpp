@@ -21,7 +21,7 @@ double logarithmic(double en) { return damping_of_restitution(en, ContactEnd::ov
 /// Exact for the linear law ended by force.
 double schwager_poeschel(double en) { return damping_of_restitution(en, ContactEnd::force); }
 
-// Tsuji's law: c = η√(mk) is β = η/√5. A fraction of the tangent critical damping, c = 2γ√(m·(3/2)kζ^{1/2}), is η = √6 γ.
+// Tsuji's law: c = η√(mk) is β = η/√5. A fraction of the tangent critical damping, 2γ√(m·(3/2)kζ^{1/2}), is η = √6 γ.
 const double of_eta = 1 / std::sqrt(5.0);
 const double of_tangent_fraction = std::sqrt(6.0 / 5.0);
 
@@ -84,7 +84,8 @@ double marshall_polynomial(double en) {
 
 double thornton_polynomial(double en) {
   const double exponent = en * horner<10>({-6.918798, -16.41105, 146.8049, -796.4559, 2928.711, -7206.864, 11494.29,
-                                           -11342.18, 6276.757, -1489.915}, en);
+                                           -11342.18, 6276.757, -1489.915},
+                                          en);
   return std::sqrt(1 / (1 - (1 + en) * (1 + en) * std::exp(exponent)) - 1);
 }
 
