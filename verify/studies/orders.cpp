@@ -1,6 +1,7 @@
 #include <verify/registry.hpp>
 
 #include "convergence.hpp"
+#include "kernel_table.hpp"
 #include "solvers.hpp"
 
 #include <ricochet/fractional/collocation.hpp>
@@ -74,6 +75,7 @@ class Orders : public Study {
     result.tables.push_back(to_table(all, "Observed order of convergence of every operator and solver"));
     result.rows = to_rows(all);
     result.gates = to_gates(all);
+    add_kernel_counts(result, options.thorough);
     double paper = 0;
     for (const Convergence& c : all)
       if (c.statement.scheme == "(59) derivative" && c.statement.order) paper = std::max(paper, c.observed());
