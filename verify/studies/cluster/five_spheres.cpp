@@ -1,0 +1,104 @@
+#include "five_spheres.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ricochet::verify::cluster {
+
+ClusterSetup five_spheres(double alpha, double k) {
+  // Sec. IV of the paper, text before Fig. 7; SI units.
+  constexpr double radius[] = {0.02, 0.01, 0.007, 0.005, 0.009};
+  constexpr double density[] = {2000, 2000, 1000, 1000, 1000};
+  constexpr Vec3 place[] = {{0, 0.1, 0.23}, {0.001, 0.125, 0.205}, {-0.002, 0.090, 0.198}, {-0.004, 0.120, 0.186}, {-0.001, 0.1, 0.18}};
+  ClusterSetup setup;
+  for (int i = 0; i < 5; ++i)
+    setup.spheres.push_back({radius[i], density[i], place[i], i == 0 ? Vec3{0, 0, -5} : Vec3{}, {}, 0});
+  setup.interactions.insert({{0, 0}, {Fractional(k, 1, alpha), Friction(0.5, 0.5, 0)}});
+  return setup;
+}
+
+namespace {
+
+Sample sample(const ricochet::Cluster& c) {
+  Sample s{c.time(), {}, {}, {}};
+  for (std::size_t i = 0; i < 5; ++i) s.position[i] = c.position(i), s.velocity[i] = c.velocity(i), s.spin[i] = c.spin(i);
+  return s;
+}
+
+// What is watched at every step.
+class Watch {
+ public:
+  Watch(const ricochet::Cluster& c, const ClusterSetup& setup)
+      : momentum_(c.momentum()), angular_(c.angular_momentum()), total_(c.energy().total()), least_(c.energy().mechanical()) {
+    for (const Sphere& s : setup.spheres) {
+      momentum_scale_ += s.mass() * norm(s.velocity);
+      angular_scale_ += s.mass() * norm(s.position) * norm(s.velocity);
+    }
+  }
+
+  void operator()(const ricochet::Cluster& c, Run& run) {
+    const ClusterEnergy e = c.energy();
+    run.momentum_drift = std::max(run.momentum_drift, norm(c.momentum() - momentum_) / momentum_scale_);
+    run.angular_drift = std::max(run.angular_drift, norm(c.angular_momentum() - angular_) / angular_scale_);
+    run.energy_drift = std::max(run.energy_drift, std::abs(e.total() / total_ - 1));
+    run.energy_growth = std::max(run.energy_growth, (e.mechanical() - least_) / total_);
+    run.kinetic_left = e.kinetic / total_;
+    least_ = std::min(least_, e.mechanical());
+  }
+
+ private:
+  Vec3 momentum_, angular_;
+  double total_, least_, momentum_scale_ = 0, angular_scale_ = 0;
+};
+
+}  // namespace
+
+Run run(double alpha, double k, double duration, double step, double sample_interval) {
+  const auto every = static_cast<std::uint64_t>(std::ceil(sample_interval / step - 1e-9));
+  const double h = sample_interval / static_cast<double>(every);
+  const ClusterSetup setup = five_spheres(alpha, k);
+  // No contact outlasts the run; the kernel reaches as far.
+  ricochet::Cluster cluster(setup, {.step = h, .longest_contact = std::min(duration, 4e5 * h)});
+  Run run{.alpha = alpha, .k = k, .step = h, .samples = {sample(cluster)}, .collisions = {}};
+  Watch watch(cluster, setup);
+  const auto steps = static_cast<std::uint64_t>(std::llround(duration / h));
+  for (std::uint64_t n = 1; n <= steps; ++n) {
+    cluster.step();
+    watch(cluster, run);
+    for (const Encounter& e : cluster.take_finished()) run.collisions.push_back(e);
+    if (n % every == 0) run.samples.push_back(sample(cluster));
+  }
+  for (const ContactState& c : cluster.contacts()) run.collisions.push_back(c.record);
+  std::sort(run.collisions.begin(), run.collisions.end(),
+            [](const Encounter& a, const Encounter& b) { return a.begin < b.begin; });
+  return run;
+}
+
+Overlap overlap(const std::vector<Encounter>& collisions, double until) {
+  std::vector<std::pair<double, int>> events;
+  double sum = 0;
+  for (const Encounter& c : collisions) {
+    const double end = std::min(c.end, until);
+    events.push_back({c.begin, 1});
+    events.push_back({end, -1});
+    sum += end - c.begin;
+  }
+  std::sort(events.begin(), events.end());
+  Overlap o;
+  double several = 0, last = 0;
+  int pairs = 0;
+  for (const auto& [time, change] : events) {
+    if (pairs > 0) o.busy += time - last;
+    if (pairs > 1) several += time - last;
+    pairs += change, last = time;
+    o.most_pairs = std::max(o.most_pairs, pairs);
+  }
+  if (collisions.empty()) return o;
+  o.mean_duration = sum / static_cast<double>(collisions.size());
+  o.shared = several / o.busy;
+  o.mean_pairs = sum / o.busy;
+  return o;
+}
+
+}  // namespace ricochet::verify::cluster
