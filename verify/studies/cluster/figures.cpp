@@ -54,8 +54,8 @@ std::string pair_name(const Encounter& e) { return std::to_string(e.i + 1) + "-"
 
 Figure trajectories(const Run& strong, const Run& weak) {
   std::string script =
-      "set multiplot layout 1,2 margins 0.08,0.98,0.13,0.91 spacing 0.08,0.1\nset size ratio -1\n"
-      "set xrange [0.02:0.18]\nset yrange [0.06:0.26]\nset xtics 0.04\nset ytics 0.04\nset grid lc rgb '#dddddd'\n"
+      "set multiplot layout 1,2 margins 0.10,0.98,0.13,0.91 spacing 0.08,0.1\nset size ratio -1\n"
+      "set xrange [0.0:0.2]\nset yrange [0.01:0.26]\nset xtics 0.04\nset ytics 0.04\nset grid lc rgb '#dddddd'\n"
       "set xlabel 'y [m]'\nset key bottom left samplen 1.5\n";
   for (const auto& [title, file, z] : {std::tuple("strong repulsion, α = 0.01", "cluster-strong.csv", "set ylabel 'z [m]'\n"),
                                        std::tuple("weak repulsion, α = 0.97", "cluster-weak.csv", "unset ylabel\n")}) {
@@ -118,7 +118,7 @@ Figure sequence(const Run& strong, const Run& weak, double until) {
   };
   return {.name = "cluster-sequence",
           .caption = "Fig. 9: when each pair collides, from the first touch to the first zero of the force.",
-          .script = "set xlabel 't [ms]'\nset ylabel 'pair'\nset yrange [-0.6:" + std::to_string(rows.size()) + "-0.4] reverse\n" +
+          .script = "set xlabel 't [ms]'\nset ylabel 'pair'\nset yrange [" + std::to_string(rows.size()) + "-0.4:-0.6]\n" +
                     "set ytics (" + tics + ")\nset grid x lc rgb '#dddddd'\nset xrange [0:*]\nset key top right samplen 2\nplot " +
                     line("0", colours[0], "strong, α = 0.01") + ", \\\n  " + line("1", colours[1], "weak, α = 0.97") + "\n",
           .data = {{"cluster-sequence.csv", csv}},
@@ -135,7 +135,7 @@ Figure binary(const std::vector<Run>& strong, const std::vector<Run>& weak, doub
   }
   return {.name = "cluster-binary",
           .caption = "Share of the collision time during which more than one pair collides, against the stiffness k.",
-          .script = "set logscale x\nset xlabel 'k [kg/s²]'\nset format x '10^{%T}'\n"
+          .script = "set logscale x\nset xrange [500:2e7]\nset xlabel 'k [kg/s²]'\nset format x '10^{%T}'\n"
                     "set ylabel 'collision time shared by several pairs [%]'\nset yrange [-3:100]\nset grid lc rgb '#dddddd'\n"
                     "set key top right\nplot 'cluster-binary.csv' skip 1 using 1:(100*$2) with linespoints lw 2 pt 7 lc rgb '" +
                     std::string(colours[0]) + "' title 'strong, α = 0.01', '' skip 1 using 1:(100*$4) with linespoints lw 2 pt 5 lc rgb '" +

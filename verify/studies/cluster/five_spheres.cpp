@@ -59,7 +59,7 @@ Run run(double alpha, double k, double duration, double step, double sample_inte
   const double h = sample_interval / static_cast<double>(every);
   const ClusterSetup setup = five_spheres(alpha, k);
   // No contact outlasts the run; the kernel reaches as far.
-  ricochet::Cluster cluster(setup, {.step = h, .longest_contact = std::min(duration, 4e5 * h)});
+  ricochet::Cluster cluster(setup, {.step = h, .longest_contact = std::min(duration, 4e5 * h), .solver_tolerance = 1e-13});
   Run run{.alpha = alpha, .k = k, .step = h, .samples = {sample(cluster)}, .collisions = {}};
   Watch watch(cluster, setup);
   const auto steps = static_cast<std::uint64_t>(std::llround(duration / h));

@@ -22,7 +22,7 @@ struct ClusterOptions {
   double longest_contact = 0;    ///< [s] for the memory kernels of fractional laws; 0: 10⁴ steps
   double kernel_tolerance = 1e-8;
   Reclosing reclosing = Reclosing::repels;
-  double solver_tolerance = 1e-12;  ///< on impulses, relative to the greatest of the step
+  double solver_tolerance = 1e-10;  ///< on impulses, relative to the greatest of the step; 1e-6 serves in packings
   int max_sweeps = 50;              ///< over all contacts, a step
 };
 
