@@ -20,15 +20,21 @@ constexpr double default_radius_eff = 0.75e-3, default_density = 1000;
 constexpr std::array all_laws{LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic,
                               LawName::fractional};
 
-double positive(const char* flag, double value) {
+/// Every scale of every law stays far inside double precision when the options do: the widest, a Hertzian stiffness
+/// m v^{-1/2} t^{-5/2} of a sphere's mass ρr³, spans 10^±270.
+constexpr double widest = 1e50, widest_of_spheres = 1e30;
+
+double positive(const char* flag, double value, double greatest = widest) {
   if (!(value > 0)) throw BadInput(flag, shortest(value), "> 0");
+  if (value > greatest || value < 1 / greatest)
+    throw BadInput(flag, shortest(value), "in [" + shortest(1 / greatest) + ", " + shortest(greatest) + "]");
   return value;
 }
 
 /// The positive value of an option that must have been given.
-double needed(const char* flag, const std::optional<double>& value, const char* what) {
+double needed(const char* flag, const std::optional<double>& value, const char* what, double greatest = widest) {
   if (!value) throw BadInput(std::string(flag) + ": missing: must be given, " + what);
-  return positive(flag, *value);
+  return positive(flag, *value, greatest);
 }
 
 void refuse_with(const char* flag, const std::optional<double>& value, bool given, const char* companion) {
@@ -45,8 +51,10 @@ bool speaks_of_spheres(const Options& o) {
 
 /// m₁m₂/(m₁+m₂), or the sphere's mass against a wall.
 double mass_of_spheres(const Options& o, Job& job) {
-  const double radius = needed("--radius", o.radius, "a radius [m], > 0, with --density, --radius2, --density2 or --wall");
-  const double density = needed("--density", o.density, "a density [kg/m^3], > 0, with --radius");
+  const double radius = needed("--radius", o.radius, "a radius [m], > 0, with --density, --radius2, --density2 or --wall",
+                               widest_of_spheres);
+  const double density = needed("--density", o.density, "a density [kg/m^3], > 0, with --radius",
+                                widest_of_spheres);
   const double mass = sphere_mass(radius, density);
   job.radius = radius;
   job.radius_eff = radius;
@@ -57,8 +65,8 @@ double mass_of_spheres(const Options& o, Job& job) {
     return mass;
   }
   if (!o.radius2 && !o.density2) job.assumptions.push_back("two equal spheres (--radius2, --density2, --wall)");
-  const double radius2 = positive("--radius2", o.radius2.value_or(radius));
-  const double other = sphere_mass(radius2, positive("--density2", o.density2.value_or(density)));
+  const double radius2 = positive("--radius2", o.radius2.value_or(radius), widest_of_spheres);
+  const double other = sphere_mass(radius2, positive("--density2", o.density2.value_or(density), widest_of_spheres));
   job.radius = std::min(radius, radius2);
   job.radius_eff = radius / (1 + radius / radius2);
   if (o.density2.value_or(density) != density) job.density.reset();

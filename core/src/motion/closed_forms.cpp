@@ -53,6 +53,7 @@ void carry_on_to_zero_overlap(Collision& out, double ratio) {
 Collision closed_form(const Linear& law, const Impact& impact, ContactEnd end) {
   const double unit = std::sqrt(impact.mass_eff / law.k());
   const double ratio = 0.5 * law.c() / impact.mass_eff * unit;
+  if (!std::isfinite(ratio)) return {.status = CollisionStatus::out_of_range};
   const DampingAngle psi(ratio);
   Collision out = linear_extremes(ratio, psi);
   if (end == ContactEnd::force) {

@@ -18,12 +18,15 @@ template <class Motion, class Law>
 Collision integrate(const Law& law, const Impact& impact, const CollideOptions& options) {
   const double unit = motion::time_unit<Motion>(law.k(), impact.velocity, impact.mass_eff);
   const Motion scaled{motion::damping_group<Motion>(law.c(), impact.velocity, impact.mass_eff, unit)};
+  if (!std::isfinite(scaled.gamma)) return {.status = CollisionStatus::out_of_range};
   return motion::in_units(motion::follow(scaled, options), impact, unit);
 }
 
 Collision integrate(const Hysteretic& law, const Impact& impact, const CollideOptions& options) {
   const double unit = std::sqrt(impact.mass_eff / law.k1());
-  return motion::in_units(motion::follow_hysteretic(law.k2() / law.k1(), options), impact, unit);
+  const double stiffening = law.k2() / law.k1();
+  if (!std::isfinite(stiffening)) return {.status = CollisionStatus::out_of_range};
+  return motion::in_units(motion::follow_hysteretic(stiffening, options), impact, unit);
 }
 
 void require_numerical(const CollideOptions& options, const char* law) {

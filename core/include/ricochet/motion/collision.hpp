@@ -29,10 +29,11 @@ enum class CollisionStatus {
   ended_by_force,    ///< the repulsive force fell to zero (25); where c = 0 the overlap does so at the same time
   ended_by_overlap,  ///< the overlap returned to zero (24)
   no_separation,     ///< the asked end does not exist (26): overdamped overlap, α ≥ 1, …
-  budget_spent       ///< max_evaluations reached before the end
+  budget_spent,      ///< max_evaluations reached before the end
+  out_of_range       ///< a scale of the collision (time, length, force, damping group) is no normal double
 };
 
-/// What a collision did. Times count from the first touch t_b. After no_separation and budget_spent tcol, en and
+/// What a collision did. Times count from the first touch t_b. After any other status than the two ends tcol, en and
 /// overlap_end are 0; the extremes are those met while the motion was followed (for the fractional law, none: 0).
 struct Collision {
   CollisionStatus status = CollisionStatus::no_separation;
