@@ -211,7 +211,7 @@ class ColumnStudy : public Study {
 
     std::vector<std::size_t> beads(most);
     std::iota(beads.begin(), beads.end(), 1);
-    if (options.thorough && !beads_) beads.insert(beads.end(), {30, 50, 100, 200});
+    if (options.thorough && !beads_) beads.insert(beads.end(), {30, 50, 100, 200, 500, 1000});
     if (beads_)
       for (std::size_t n = 30; n <= static_cast<std::size_t>(*beads_); n = n * 3 / 2) beads.push_back(n);
     const Figure6 figure = measure(beads, fit, case_);

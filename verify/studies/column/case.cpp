@@ -16,6 +16,7 @@ ColumnResult run(const AnyLaw& plate, const AnyLaw& pair, std::size_t beads, con
   options.step = c.tcol / c.steps;
   // No bound in effect: free flight is jumped over, and beads that creep towards each other may take hours.
   options.duration = 1e8;
+  options.negligible_approach = 1e-4;  // moves E/E0 by less than 1e-8, and ends columns of a thousand beads
   options.end = end;
   // Contacts in a column last as long as a wave takes to come back, about t_col/3 a bead.
   const double contacts = c.memory_contacts > 0 ? c.memory_contacts : 20.0 + static_cast<double>(beads);

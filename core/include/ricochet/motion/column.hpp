@@ -38,12 +38,15 @@ struct ColumnOptions {
   ContactEnd end = ContactEnd::force;
   Recontact recontact = Recontact::keeps_memory;
   bool energy = false;  ///< keeps the energy balance (slower)
+  /// Approach, relative to the greatest initial speed, that is left uncounted: a long column ends in a slow trickle of
+  /// collisions that take thousands of times as long as the impact and change E/E0 by less than its square.
+  double negligible_approach = 1e-9;
   double shortest_memory = 0;    ///< fractional law: δ of its MemoryKernel [s]; 0: step
   double longest_memory = 0;     ///< its T [s]; 0: duration, but at most 1e5 δ
   double memory_tolerance = 1e-6;  ///< relative error of its kernel on [δ, T]
 };
 
-/// How a run ended. "Approach" means by more than 1e-9 of the greatest initial speed.
+/// How a run ended. "Approach" means by more than `negligible_approach` of the greatest initial speed.
 enum class ColumnEnd {
   separated,   ///< no force acts, no neighbours approach: every contact is over
   resting,     ///< the same, but some bodies that still overlap do not move apart (static contact)

@@ -105,6 +105,7 @@ ColumnEngine<Law>::ColumnEngine(const Column& column, const Law& plate, const La
       energy_(options.energy), laws_{plate, pair}, kind_(beads_ + 2, 1), memory_(laws_, kind_, options.step) {
   detail::check(column);
   detail::require_positive("step", step_);
+  detail::require_positive("negligible_approach", options.negligible_approach);
   kind_[0] = kind_[1] = 0;
   for (auto* array : {&mass_, &inverse_mass_, &velocity_, &old_velocity_, &overlap_, &old_overlap_, &mean_, &old_mean_, &guess_,
                       &next_guess_,
@@ -118,7 +119,7 @@ ColumnEngine<Law>::ColumnEngine(const Column& column, const Law& plate, const La
     inverse_mass_[i + 1] = 1 / column.mass[i];
     velocity_[i + 1] = column.velocity[i];
     overlap_[i + 1] = -column.gap[i];
-    negligible_rate_ = std::max(negligible_rate_, 1e-9 * std::abs(column.velocity[i]));
+    negligible_rate_ = std::max(negligible_rate_, options.negligible_approach * std::abs(column.velocity[i]));
   }
 }
 
@@ -344,7 +345,7 @@ void ColumnEngine<Law>::skip_free_flight() noexcept {
   if (active_ > 0 || gravity_ > 0) return;
   double flight = -1;
   for (std::size_t j = 1; j <= beads_; ++j)
-    if (rate(j) > negligible_rate_) {
+    if (rate(j) > 0) {  // however slow: a jump must not carry a bead into its neighbour
       const double until = -overlap_[j] / rate(j);
       flight = flight < 0 ? until : std::min(flight, until);
     }
