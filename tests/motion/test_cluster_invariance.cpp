@@ -46,7 +46,7 @@ const auto same_index = [](std::size_t i) { return i; };
 
 }  // namespace
 
-TEST_CASE("a free cluster with friction conserves momentum and angular momentum; its energy balance closes") {
+TEST_CASE("a free cluster with friction conserves momentum and angular momentum and closes its energy balance") {
   const AnyLaw law = GENERATE(AnyLaw(Linear(20000, 0.6)), AnyLaw(KuwabaraKono(2e6, 40)), AnyLaw(Tsuji(2e6, 4)),
                               AnyLaw(Hysteretic(15000, 25000)), AnyLaw(Fractional(20000, 1, 0.3)));
   CAPTURE(std::string(name(law)));

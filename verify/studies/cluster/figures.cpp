@@ -56,7 +56,7 @@ Figure trajectories(const Run& strong, const Run& weak) {
   std::string script =
       "set multiplot layout 1,2 margins 0.10,0.98,0.13,0.91 spacing 0.08,0.1\nset size ratio -1\n"
       "set xrange [0.0:0.2]\nset yrange [0.01:0.26]\nset xtics 0.04\nset ytics 0.04\nset grid lc rgb '#dddddd'\n"
-      "set xlabel 'y [m]'\nset key bottom left samplen 1.5\n";
+      "set xlabel 'y [m]'\nset key bottom right samplen 1.5\n";
   for (const auto& [title, file, z] : {std::tuple("strong repulsion, α = 0.01", "cluster-strong.csv", "set ylabel 'z [m]'\n"),
                                        std::tuple("weak repulsion, α = 0.97", "cluster-weak.csv", "unset ylabel\n")}) {
     script += std::string(z) + "set title '" + title + "'\nplot ";
