@@ -22,20 +22,6 @@ MemoryKernel fitting_kernel(double alpha, double dt, double memory) {
   detail::reject("memory/dt", memory / dt, "short enough for 12 arms");
 }
 
-// The rate half a step after the last of equally spaced ones.
-double rate_at_end(double last, double before, double oldest) {
-  return oldest == 0 ? 1.5 * last - 0.5 * before : (15 * last - 10 * before + 3 * oldest) / 8;
-}
-
-// A force that its last change would carry through zero within the next step is the first of a ramp, seen backwards
-// from its end: start_weight(1, θ), with θ of a step to go, in place of θ.
-double last_weighted(double force, double previous) {
-  const double fall = previous - force;
-  if (force <= 0 || force >= fall) return force;
-  const double theta = force / fall;
-  return fall * (theta * theta + theta + 1. / 6) / 2;
-}
-
 }  // namespace
 
 double start_weight(double p, double theta) noexcept {
@@ -58,16 +44,6 @@ FractionalArms::Memory HalfStepContact::memory_of(const double* history) const n
   return memory;
 }
 
-void HalfStepContact::advance(double* history, double step, double now, double half_step_rate,
-                              double dt) const noexcept {
-  if (continues(history, step))
-    go_on(history, now, dt);
-  else
-    start(history, now, half_step_rate, dt);
-  history[stamp] = step + 1;
-  history[overlap] = now;
-}
-
 void HalfStepContact::start(double* history, double now, double half_step_rate, double dt) const noexcept {
   // A pair that already overlapped before it was first seen (inserted so, or a jumping wall) is loaded over one step.
   const double mean = std::max(half_step_rate, now / dt);
@@ -81,16 +57,11 @@ void HalfStepContact::start(double* history, double now, double half_step_rate, 
   history[force] = start_weight(p, theta) * mean * std::pow(dt, p) / std::tgamma(1 + p);
 }
 
-void HalfStepContact::go_on(double* history, double now, double dt) const noexcept {
-  const double mean = (now - history[overlap]) / dt;
-  const double end = rate_at_end(mean, history[rate], history[older_rate]);
-  const Approach after{now, end};
+double HalfStepContact::step_otherwise(double* history, Approach before, Approach after, double dt) const noexcept {
   FractionalArms::Memory memory = memory_of(history);
-  law_.advance(memory, {history[overlap], 2 * mean - end}, after, dt);
+  law_.advance(memory, before, after, dt);
   std::copy_n(memory.elongation.begin(), law_.arms(), history + arms);
-  history[older_rate] = history[rate];
-  history[rate] = mean;
-  history[force] = last_weighted(law_.force(after, memory), history[force]);
+  return law_.force(after, memory);
 }
 
 double HalfStepContact::stored_energy(const double* history) const noexcept {

@@ -59,6 +59,7 @@ class HalfStepContact {
  private:
   void start(double* history, double now, double half_step_rate, double dt) const noexcept;
   void go_on(double* history, double now, double dt) const noexcept;
+  double step_otherwise(double* history, Approach before, Approach after, double dt) const noexcept;
   FractionalArms::Memory memory_of(const double* history) const noexcept;
 
   MemoryKernel kernel_;
@@ -70,5 +71,46 @@ class HalfStepContact {
 /// w(θ) = −ζ(−p, 1+θ), the Hurwitz zeta function, by Euler–Maclaurin; |error| < 1e-7 for 0 ≤ p ≤ 1.
 /// Source: I. Navot, J. Math. and Phys. 40, 271 (1961).
 double start_weight(double p, double theta) noexcept;
+
+// The hot path, called for every contact and step.
+
+namespace half_step {
+
+/// The rate half a step after the last of equally spaced ones.
+inline double rate_at_end(double last, double before, double oldest) noexcept {
+  return oldest == 0 ? 1.5 * last - 0.5 * before : 1.875 * last - 1.25 * before + 0.375 * oldest;
+}
+
+/// A force that its last change would carry through zero within the next step is the first of a ramp, seen backwards
+/// from its end: start_weight(1, θ), with θ of a step to go, in place of θ.
+inline double last_weighted(double force, double previous) noexcept {
+  const double fall = previous - force;
+  if (force <= 0 || force >= fall) return force;
+  const double theta = force / fall;
+  return fall * (theta * theta + theta + 1. / 6) / 2;
+}
+
+}  // namespace half_step
+
+inline void HalfStepContact::advance(double* history, double step, double now, double half_step_rate,
+                                     double dt) const noexcept {
+  if (continues(history, step))
+    go_on(history, now, dt);
+  else
+    start(history, now, half_step_rate, dt);
+  history[stamp] = step + 1;
+  history[overlap] = now;
+}
+
+inline void HalfStepContact::go_on(double* history, double now, double dt) const noexcept {
+  const double mean = (now - history[overlap]) / dt;
+  const double end = half_step::rate_at_end(mean, history[rate], history[older_rate]);
+  const Approach before{history[overlap], 2 * mean - end}, after{now, end};
+  const double force_now = dt == law_.step() ? law_.advance_step<arm_slots>(history + arms, before, after)
+                                             : step_otherwise(history, before, after, dt);
+  history[older_rate] = history[rate];
+  history[rate] = mean;
+  history[force] = half_step::last_weighted(force_now, history[force]);
+}
 
 }  // namespace ricochet::liggghts

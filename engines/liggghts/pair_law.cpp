@@ -12,6 +12,9 @@ PairLaw::PairLaw(const HalfStepContact& contact) : contact_(contact) {
   const auto ideal = fractional_contact(contact.alpha());
   z_star_ = ideal.z_star;
   en_ = ideal.en;
+  const double log_en = std::log(en_);
+  linear_stiffness_ = std::numbers::pi * std::numbers::pi + log_en * log_en;
+  linear_damping_ = -2 * log_en;
 }
 
 PairLaw PairLaw::from_target(double tcol, double en, const ContactFor& contact_for) {
@@ -28,17 +31,6 @@ PairLaw PairLaw::from_parameters(double k, double c, double alpha, const Contact
   PairLaw law(contact_for(alpha));
   law.coefficient_ = coefficient;
   return law;
-}
-
-double PairLaw::tcol(double mass_eff) const noexcept {
-  return tcol_ > 0 ? tcol_ : std::pow(z_star_ * mass_eff / coefficient_, 1 / (2 - contact_.alpha()));
-}
-
-LinearEquivalent PairLaw::linear_equivalent(double mass_eff) const noexcept {
-  const double time = tcol(mass_eff);
-  const double log_en = std::log(en_);
-  return {mass_eff * (std::numbers::pi * std::numbers::pi + log_en * log_en) / (time * time),
-          -2 * mass_eff * log_en / time};
 }
 
 }  // namespace ricochet::liggghts

@@ -2,6 +2,7 @@
 
 #include "half_step_contact.hpp"
 
+#include <cmath>
 #include <functional>
 
 namespace ricochet::liggghts {
@@ -33,15 +34,21 @@ class PairLaw {
   double coefficient(double mass_eff) const noexcept {
     return tcol_ > 0 ? per_mass_ * mass_eff : coefficient_;
   }
-  double tcol(double mass_eff) const noexcept;
+  double tcol(double mass_eff) const noexcept {
+    return tcol_ > 0 ? tcol_ : std::pow(z_star_ * mass_eff / coefficient_, 1 / (2 - contact_.alpha()));
+  }
   double en() const noexcept { return en_; }
-  LinearEquivalent linear_equivalent(double mass_eff) const noexcept;
+  LinearEquivalent linear_equivalent(double mass_eff) const noexcept {
+    const double per_time = 1 / tcol(mass_eff);
+    return {linear_stiffness_ * mass_eff * per_time * per_time, linear_damping_ * mass_eff * per_time};
+  }
 
  private:
   explicit PairLaw(const HalfStepContact& contact);
 
   HalfStepContact contact_;
-  double z_star_ = 0, en_ = 0;
+  double z_star_, en_;
+  double linear_stiffness_, linear_damping_;  // π² + ln² e_n and −2 ln e_n, those of m = t_col = 1
   double tcol_ = 0, per_mass_ = 0;  // from a target
   double coefficient_ = 0;          // from parameters
 };

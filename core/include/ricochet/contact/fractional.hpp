@@ -57,6 +57,21 @@ class FractionalArms {
 
   double force(Approach a, const Memory& m) const noexcept;
   void advance(Memory& m, Approach before, Approach after, double dt) const noexcept;
+  /// `advance` over dt = step() and `force` at its end in one pass, for an engine that keeps the elongations in an array
+  /// of its own of Slots ≥ arms() values, even, those past arms() being 0. Sums even and odd arms apart: it is bound by
+  /// the latency of one sum otherwise.
+  template <std::size_t Slots>
+  double advance_step(double* elongation, Approach before, Approach after) const noexcept {
+    static_assert(Slots % 2 == 0 && Slots <= max_arms);
+    double sum[2] = {spring_ * after.overlap, dashpot_ * after.rate};
+    for (std::size_t j = 0; j < Slots; j += 2)
+      for (std::size_t lane = 0; lane < 2; ++lane) {
+        double& q = elongation[j + lane];
+        q = decay_[j + lane] * q + (gain_before_[j + lane] * before.rate + gain_after_[j + lane] * after.rate);
+        sum[lane] += stiffness_[j + lane] * q;
+      }
+    return sum[0] + sum[1];
+  }
   double stored_energy(Approach a, const Memory& m) const noexcept;
   double dissipated_power(Approach a, const Memory& m) const noexcept;
 

@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Time of a step of `model fractional` beside LIGGGHTS's own `model hooke`, both with tangential history, in a settled
+# packing: 1000 grains and the same ten times over. Each model settles its packing itself, so that both hold as many
+# contacts. Prints a Markdown table; microseconds a step, the least of REPEATS runs taken in turn.
+#   step_cost.sh [PATH-OF-liggghts-ricochet]      REPEATS=5 STEPS=1000 by default
+
+set -euo pipefail
+
+driver=${1:-$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../../build/release/bin/liggghts-ricochet}
+driver=$(readlink -f "$driver")
+repeats=${REPEATS:-5} steps=${STEPS:-1000}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+# Collision time 4e-4 s, restitution 0.5; hooke's Young's modulus gives the stiffness of the same collision time.
+common() {
+  cat <<'DECK'
+units si
+atom_style granular
+atom_modify map array
+boundary p p f
+newton off
+communicate single vel yes
+soft_particles yes
+processors * * 1
+DECK
+}
+physics() {
+  cat <<DECK
+neighbor 0.0006 bin
+neigh_modify delay 0
+fix a all property/global coefficientRestitution peratomtypepair 1 0.5
+fix b all property/global coefficientFriction peratomtypepair 1 0.5
+fix c all property/global collisionTime peratomtypepair 1 4e-4
+fix d all property/global youngsModulus peratomtype 2.5e6
+fix e all property/global poissonsRatio peratomtype 0.3
+fix f all property/global characteristicVelocity scalar 1
+pair_style gran model $1 tangential history
+pair_coeff * *
+fix floor all wall/gran model $1 tangential history primitive type 1 zplane 0
+fix g all gravity 9.81 vector 0 0 -1
+fix move all nve/sphere
+timestep 8e-6
+DECK
+}
+
+# A loose lattice, disturbed so that it does not fall as one, dropped and left to settle.
+awk 'BEGIN { srand(1); print "grains\n\n1000 atoms\n1 atom types\n0 0.034 xlo xhi\n0 0.034 ylo yhi\n0 0.05 zlo zhi\n\nAtoms\n"
+  for (i = 0; i < 1000; i++)
+    printf "%d 1 0.003 1000 %.6f %.6f %.6f\n", i + 1, 0.0017 + 0.0034 * (i % 10) + 2e-4 * (rand() - 0.5),
+      0.0017 + 0.0034 * (int(i / 10) % 10) + 2e-4 * (rand() - 0.5), 0.0017 + 0.0034 * int(i / 100) }' >loose.data
+settle() { # MODEL GRAINS STEPS < data: settled packing as a restart file and as positions
+  cat >start.data
+  { common; echo 'read_data start.data'; physics "$1"; echo "run $3
+write_restart $1.$2.restart
+dump last all custom 1 $1.$2.dump id x y z
+dump_modify last sort id format \"%d %.9g %.9g %.9g\"
+run 0"; } >settle.deck
+  run 1 settle.deck
+}
+
+run() { # RANKS DECK
+  mpirun --allow-run-as-root --oversubscribe -np "$1" "$driver" -in "$2" >run.out || { grep ERROR run.out >&2; exit 4; }
+}
+
+side_by_side() { # NX NY < dump: the packing repeated
+  awk -v nx="$1" -v ny="$2" -v side=0.034 'BEGIN {
+      printf "grains\n\n%d atoms\n1 atom types\n0 %g xlo xhi\n0 %g ylo yhi\n0 0.05 zlo zhi\n\nAtoms\n\n",
+        1000 * nx * ny, nx * side, ny * side }
+    seen { for (i = 0; i < nx; i++) for (j = 0; j < ny; j++)
+      printf "%d 1 0.003 1000 %.9f %.9f %s\n", ++n, $2 + i * side, $3 + j * side, $4 }
+    /ITEM: ATOMS/ { seen = 1 }'
+}
+
+time_of() { # MODEL GRAINS RANKS: microseconds a step, contacts a grain
+  { common; echo "read_restart $1.$2.restart"; physics "$1"
+    echo "compute touching all contact/atom
+compute mean all reduce ave c_touching
+thermo_style custom step atoms c_mean
+thermo 100000
+run 50
+run $steps"; } >run.deck
+  run "$3" run.deck
+  awk -v steps="$steps" '/^Loop time/ { time = $4; contacts = last } { last = $3 }
+    END { printf "%.1f %.2f\n", 1e6 * time / steps, contacts }' run.out
+}
+
+for model in hooke fractional; do
+  settle "$model" 1000 25000 <loose.data
+  side_by_side 5 2 <"$model.1000.dump" >ten.data
+  settle "$model" 10000 4000 <ten.data
+done
+
+printf '| grains | ranks | hooke [µs] | fractional [µs] | ratio | contacts a grain |\n|---:|---:|---:|---:|---:|---:|\n'
+for grains in 1000 10000; do
+  for ranks in 1 2; do
+    for ((i = 0; i < repeats; i++)); do
+      echo "$(time_of hooke "$grains" "$ranks") $(time_of fractional "$grains" "$ranks")"
+    done | awk -v grains="$grains" -v ranks="$ranks" '
+      NR == 1 || $1 < hooke { hooke = $1 } NR == 1 || $3 < fractional { fractional = $3 }
+      END { printf "| %d | %d | %.0f | %.0f | %.2f | %s, %s |\n", grains, ranks, hooke, fractional, fractional / hooke, $2, $4 }'
+  done
+done
