@@ -66,7 +66,8 @@ TEST_CASE("(59) and (60) are the paper's sums as written") {
   const auto written = [&](double p) {
     const double t = h * static_cast<double>(n);
     double sum = x[0] * std::pow(t, p);
-    for (std::size_t l = 1; l <= n; ++l) sum += (x[l] - x[l - 1]) * std::pow(std::fabs(t - h * static_cast<double>(l)), p);
+    for (std::size_t l = 1; l <= n; ++l)
+      sum += (x[l] - x[l - 1]) * std::pow(std::fabs(t - h * static_cast<double>(l)), p);
     return sum / std::tgamma(p + 1);
   };
   CHECK(rectangle_derivative(a, h, n).last(x) == Approx(written(1 - a)).epsilon(1e-12));
@@ -85,7 +86,8 @@ TEST_CASE("Weights of old samples keep their digits") {
     CHECK(l1_derivative(a, 1, n).last(one) == Approx(0).margin(1e-13));
     CHECK(l12_derivative(a, 1, n).last(one) == Approx(0).margin(1e-13));
     // The oldest weights against the kernel they sample, t^{−α}/Γ(1−α)·(1 + O(1/t)).
-    CHECK(rectangle_derivative(a, 1, n).weights()[n] == Approx(std::pow(t - 0.5, -a) / std::tgamma(1 - a)).epsilon(1e-10));
+    CHECK(rectangle_derivative(a, 1, n).weights()[n] ==
+          Approx(std::pow(t - 0.5, -a) / std::tgamma(1 - a)).epsilon(1e-10));
     CHECK(l1_derivative(a, 1, n).weights()[n] == Approx(-a * std::pow(t, -a - 1) / std::tgamma(1 - a)).epsilon(1e-9));
   }
 }

@@ -26,15 +26,22 @@ std::vector<std::size_t> work_steps(FractionalScheme scheme) {
 
 std::vector<SolverConvergence> work_precision() {
   std::vector<SolverConvergence> all;
-  for (const FractionalScheme scheme : stepping_schemes) all.push_back(measure(scheme, drawn_alpha, work_steps(scheme)));
+  for (const FractionalScheme scheme : stepping_schemes)
+    all.push_back(measure(scheme, drawn_alpha, work_steps(scheme)));
   all.push_back(measure(FractionalScheme::collocation, drawn_alpha, work_steps(FractionalScheme::collocation)));
   return all;
 }
 
 Table work_table(const std::vector<SolverConvergence>& all) {
   const Notation error{Notation::Kind::scientific, 1}, count{Notation::Kind::significant, 3};
-  Table table({{"scheme"}, {"N"}, {"error of e_n", "", error}, {"worst offset", "", error}, {"error of t_col", "", error},
-               {"error of overlap_end", "", error}, {"multiplications", "", count}, {"kernel evaluations", "", count}},
+  Table table({{"scheme"},
+               {"N"},
+               {"error of e_n", "", error},
+               {"worst offset", "", error},
+               {"error of t_col", "", error},
+               {"error of overlap_end", "", error},
+               {"multiplications", "", count},
+               {"kernel evaluations", "", count}},
               "Work and precision at alpha = " + console::shortest(drawn_alpha) +
                   ": relative errors, mean of 16 offsets of the mesh");
   for (const SolverConvergence& s : all)
@@ -43,8 +50,9 @@ Table work_table(const std::vector<SolverConvergence>& all) {
                  console::number_or_blank(s.en.errors[i]), console::number_or_blank(s.en.worst[i]),
                  console::number_or_blank(s.tcol.errors[i]), console::number_or_blank(s.overlap_end.errors[i]),
                  s.multiplications[i], s.kernel_evaluations[i]});
-  table.note("N: steps in a contact; for the collocation its nodes. Rosenbrock keeps one kernel, of delta = t_col/256; "
-             "the other arms have delta = the step. Making a kernel is not counted.");
+  table.note(
+      "N: steps in a contact; for the collocation its nodes. Rosenbrock keeps one kernel, of delta = t_col/256; "
+      "the other arms have delta = the step. Making a kernel is not counted.");
   return table;
 }
 
@@ -73,8 +81,9 @@ console::Figure work_figure(const std::vector<SolverConvergence>& all) {
     ++block;
   }
   return {.name = "collision-work",
-          .caption = "Error of the restitution against the multiplications a collision costs, for every solver at "
-                     "alpha = 0.25; circles: 30 steps a contact.",
+          .caption =
+              "Error of the restitution against the multiplications a collision costs, for every solver at "
+              "alpha = 0.25; circles: 30 steps a contact.",
           .script = script + plot + "\n",
           .data = {{"collision-work.csv", csv}},
           .width = 1000,
@@ -101,7 +110,8 @@ class CollisionStudy : public Study {
  public:
   std::string name() const override { return "collision"; }
   std::string claim() const override {
-    return "The paper takes 30 steps a contact: what that buys in e_n, t_col and the overlap at the end with each solver, "
+    return "The paper takes 30 steps a contact: what that buys in e_n, t_col and the overlap at the end with each "
+           "solver, "
            "wherever the contact starts between two mesh points";
   }
   StudyResult run(const RunOptions& options) override {
@@ -114,7 +124,8 @@ class CollisionStudy : public Study {
     const std::vector<SolverConvergence> work = work_precision();
 
     StudyResult result;
-    result.tables.push_back(to_table(all, "Observed order of the solvers of the fractional collision, 16 offsets each"));
+    result.tables.push_back(
+        to_table(all, "Observed order of the solvers of the fractional collision, 16 offsets each"));
     result.tables.push_back(work_table(work));
     result.rows = to_rows(all);
     result.gates = to_gates(all);

@@ -21,7 +21,7 @@ struct Curve {
   std::string title;
   std::vector<TracePoint> points;
   std::string style;  ///< "with …"
-  int panel = 0;  ///< the group of curves that share a column of panels
+  int panel = 0;      ///< the group of curves that share a column of panels
 };
 
 /// The axes of a row of panels: CSV columns 2 t [1e-6 s], 3 overlap [1e-6 m], 4 rate [m/s], 5 force [N].
@@ -30,9 +30,11 @@ struct Axes {
   const char *x_label, *y_label;
 };
 
-constexpr Axes over_time[] = {{2, 3, "t [1e-6 s]", "overlap [1e-6 m]"}, {2, 4, "t [1e-6 s]", "velocity [m/s]"},
+constexpr Axes over_time[] = {{2, 3, "t [1e-6 s]", "overlap [1e-6 m]"},
+                              {2, 4, "t [1e-6 s]", "velocity [m/s]"},
                               {2, 5, "t [1e-6 s]", "force [N]"}};
-constexpr Axes phases[] = {{3, 4, "overlap [1e-6 m]", "velocity [m/s]"}, {3, 5, "overlap [1e-6 m]", "force [N]"},
+constexpr Axes phases[] = {{3, 4, "overlap [1e-6 m]", "velocity [m/s]"},
+                           {3, 5, "overlap [1e-6 m]", "force [N]"},
                            {4, 5, "velocity [m/s]", "force [N]"}};
 
 /// The i-th curve of a group, in colours that differ.
@@ -46,8 +48,8 @@ std::string csv_of(const std::vector<Curve>& curves) {
   for (const Curve& curve : curves) {
     if (&curve != &curves.front()) csv += "\n\n";
     for (const TracePoint& p : curve.points)
-      csv += '"' + curve.title + "\"," + console::shortest(p.time * 1e6) + "," + console::shortest(p.overlap * 1e6) + "," +
-             console::shortest(p.rate) + "," + console::shortest(p.force) + "\n";
+      csv += '"' + curve.title + "\"," + console::shortest(p.time * 1e6) + "," + console::shortest(p.overlap * 1e6) +
+             "," + console::shortest(p.rate) + "," + console::shortest(p.force) + "\n";
   }
   return csv;
 }
@@ -63,7 +65,8 @@ console::Figure figure(const std::string& name, const std::string& caption, cons
                        std::span<const Axes> rows, const std::vector<Column>& columns) {
   const std::string file = name + ".csv";
   std::string script = "set multiplot layout " + std::to_string(rows.size()) + "," + std::to_string(columns.size()) +
-                       " margins " + (columns.size() == 1 ? "0.13" : "0.08") + ",0.96,0.07,0.95 spacing 0.08,0.075\nset grid\nset key font ',8' samplen 2\n";
+                       " margins " + (columns.size() == 1 ? "0.13" : "0.08") +
+                       ",0.96,0.07,0.95 spacing 0.08,0.075\nset grid\nset key font ',8' samplen 2\n";
   for (std::size_t row = 0; row < rows.size(); ++row)
     for (std::size_t column = 0; column < columns.size(); ++column) {
       const Axes& axes = rows[row];
@@ -81,7 +84,11 @@ console::Figure figure(const std::string& name, const std::string& caption, cons
     }
   script += "unset multiplot\n";
   const int wide = columns.size() == 1 ? 640 : 400 * static_cast<int>(columns.size());
-  return {.name = name, .caption = caption, .script = script, .data = {{file, csv_of(curves)}}, .width = wide,
+  return {.name = name,
+          .caption = caption,
+          .script = script,
+          .data = {{file, csv_of(curves)}},
+          .width = wide,
           .height = 320 * static_cast<int>(rows.size())};
 }
 
@@ -122,8 +129,9 @@ console::Figure figure2() {
     }
     curves.push_back({"exact", closed_form(steel, steel_impact, steel_tcol), "with lines lw 2 lc 'black'", column});
   }
-  return figure("figure2", "Fig. 2: overlap, velocity and force for growing numbers of steps; left (59) as written, right "
-                           "the arms with the exponential step.",
+  return figure("figure2",
+                "Fig. 2: overlap, velocity and force for growing numbers of steps; left (59) as written, right "
+                "the arms with the exponential step.",
                 curves, over_time, {{"(59) as written", "top right", 1}, {"arms, exponential step", "top right", 1}});
 }
 
@@ -142,10 +150,12 @@ std::vector<Curve> alpha_curves() {
       const double alpha = groups[group][i];
       const Fractional law(k, c, alpha);
       const int panel = static_cast<int>(group);
-      curves.push_back({"alpha = " + console::shortest(alpha), closed_form(law, glass_impact, shown(alpha)), line(i), panel});
+      curves.push_back(
+          {"alpha = " + console::shortest(alpha), closed_form(law, glass_impact, shown(alpha)), line(i), panel});
       if (alpha > 0.97) continue;  // there is no rebound to solve for
       const double step = curves.back().points.back().time / 30;
-      curves.push_back({"", points_of(solve_collision(FractionalScheme::trapezoid, law, glass_impact, {.step = step}).path),
+      curves.push_back({"",
+                        points_of(solve_collision(FractionalScheme::trapezoid, law, glass_impact, {.step = step}).path),
                         "with points pt 6 ps 0.5 lc 'gray40'", panel});
       curves.back().points.pop_back();  // past the end
     }
@@ -200,13 +210,17 @@ std::vector<Printed> table2_laws() {
 console::Figure figure5(const std::vector<Printed>& laws) {
   std::vector<Curve> curves;
   for (const Printed& law : laws) curves.push_back({law.name, law.points, line(curves.size())});
-  return figure("figure5", "Fig. 5: overlap, velocity and force under every law of Table II with the printed coefficients.",
+  return figure("figure5",
+                "Fig. 5: overlap, velocity and force under every law of Table II with the printed coefficients.",
                 curves, over_time, {{"", "top right", 1}});
 }
 
 Table ends(const std::vector<Printed>& laws) {
-  Table table({{"law"}, {"t_col", "1e-4 s", {Notation::Kind::fixed, 5}}, {"e_n", "", {Notation::Kind::fixed, 5}},
-               {"overlap at the end", "1e-6 m", {Notation::Kind::fixed, 3}}, {"force at the end", "N", {Notation::Kind::fixed, 4}}},
+  Table table({{"law"},
+               {"t_col", "1e-4 s", {Notation::Kind::fixed, 5}},
+               {"e_n", "", {Notation::Kind::fixed, 5}},
+               {"overlap at the end", "1e-6 m", {Notation::Kind::fixed, 3}},
+               {"force at the end", "N", {Notation::Kind::fixed, 4}}},
               "Where the curves of Fig. 5 end");
   for (const Printed& law : laws)
     table.row({law.name, law.collision.tcol * 1e4, law.collision.en, law.points.back().overlap * 1e6,
@@ -231,18 +245,25 @@ class Figures : public Study {
                                   law.points.back().rate / (-law.collision.en * glass_impact.velocity), 1, 1e-3));
     }
     // Second order with 30 steps: 1/900.
-    result.gates.push_back(at_most("Figs. 3, 4: solver with 30 steps from the closed form, of v0", solver_distance(), 3.0 / 900));
+    result.gates.push_back(
+        at_most("Figs. 3, 4: solver with 30 steps from the closed form, of v0", solver_distance(), 3.0 / 900));
     const std::string names[] = {"alpha < 0: gains energy", "0 <= alpha < 1", "alpha > 1: no rebound"};
     const std::vector<Column> times{{names[0], "top right", 1}, {names[1], "top right", 1}, {names[2], "top right", 1}};
-    const std::vector<Column> planes{{names[0], "left center", 0}, {names[1], "left center", 0}, {names[2], "bottom left", 0}};
+    const std::vector<Column> planes{
+        {names[0], "left center", 0}, {names[1], "left center", 0}, {names[2], "bottom left", 0}};
     result.figures.push_back(figure2());
-    result.figures.push_back(figure("figure3", "Fig. 3: overlap, velocity and force for three groups of alpha; circles: "
-                                               "product trapezoid, 30 steps.", alpha_curves(), over_time, times));
-    result.figures.push_back(figure("figure4", "Fig. 4: phase curves for the three groups of alpha; circles: product "
-                                               "trapezoid, 30 steps.", alpha_curves(), phases, planes));
+    result.figures.push_back(figure("figure3",
+                                    "Fig. 3: overlap, velocity and force for three groups of alpha; circles: "
+                                    "product trapezoid, 30 steps.",
+                                    alpha_curves(), over_time, times));
+    result.figures.push_back(figure("figure4",
+                                    "Fig. 4: phase curves for the three groups of alpha; circles: product "
+                                    "trapezoid, 30 steps.",
+                                    alpha_curves(), phases, planes));
     result.figures.push_back(figure5(laws));
-    result.verdict = "Four figures with their data; the printed coefficients of Table II end within 0.2 % of t_col = 1e-4 s "
-                     "and e_n = 0.5.";
+    result.verdict =
+        "Four figures with their data; the printed coefficients of Table II end within 0.2 % of t_col = 1e-4 s "
+        "and e_n = 0.5.";
     return result;
   }
 };

@@ -68,9 +68,8 @@ std::vector<Operator> fractional_operators() {
   all.push_back(derivative_from_rate("(59) derivative", rectangle_derivative, [](double a, int p) {
     return stated("(59) derivative", a, p, p == 1 ? std::nullopt : std::optional(1.0), allowance(1 - a));
   }));
-  all.push_back(integral_of("(60) integral", rectangle_integral, [](double b, int p) {
-    return stated("(60) integral", b, p, 1.0, allowance(b));
-  }));
+  all.push_back(integral_of("(60) integral", rectangle_integral,
+                            [](double b, int p) { return stated("(60) integral", b, p, 1.0, allowance(b)); }));
   // L1: h^{2−α} from the last step, then h².
   all.push_back(derivative_from_values("L1", l1_derivative, [](double a, int p) {
     return stated("L1", a, p, p == 1 ? std::nullopt : std::optional(2 - a), allowance(a));

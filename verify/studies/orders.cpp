@@ -82,8 +82,8 @@ class Orders : public Study {
     result.extra["highest_observed_order_of_59"] = paper;
     const auto off = std::count_if(all.begin(), all.end(), [](const Convergence& c) { return !c.pass(); });
     result.verdict = std::to_string(all.size() - static_cast<std::size_t>(off)) + " of " + std::to_string(all.size()) +
-                     " measurements confirm the derived order; (59) reaches at most " + std::to_string(paper).substr(0, 4) +
-                     ", the order of a rectangle rule.";
+                     " measurements confirm the derived order; (59) reaches at most " +
+                     std::to_string(paper).substr(0, 4) + ", the order of a rectangle rule.";
     return result;
   }
 };

@@ -51,11 +51,12 @@ SolverConvergence statements(FractionalScheme scheme, double alpha) {
   const std::string scheme_name(name(scheme));
   const auto statement = [&](const char* quantity) {
     const bool tcol = quantity[0] == 't';
-    return Convergence{.statement = {scheme_name, quantity, alpha, stated_order(scheme, alpha, tcol),
-                                     allowance(scheme, alpha, tcol)},
-                       .rounding = 1e-12};
+    return Convergence{
+        .statement = {scheme_name, quantity, alpha, stated_order(scheme, alpha, tcol), allowance(scheme, alpha, tcol)},
+        .rounding = 1e-12};
   };
-  return {.scheme = scheme, .en = statement("e_n"), .tcol = statement("t_col"), .overlap_end = statement("overlap_end")};
+  return {
+      .scheme = scheme, .en = statement("e_n"), .tcol = statement("t_col"), .overlap_end = statement("overlap_end")};
 }
 
 }  // namespace

@@ -64,9 +64,7 @@ FractionalTrajectory trajectory(double density) {
   return {law.coefficient(), law.alpha(), impact_of(density).mass_eff, velocity};
 }
 
-double exact_tcol(double density) {
-  return fractional_contact(law.alpha()).tau * trajectory(density).time_scale();
-}
+double exact_tcol(double density) { return fractional_contact(law.alpha()).tau * trajectory(density).time_scale(); }
 
 State exact_state(double density, double time) {
   const FractionalTrajectory motion = trajectory(density);
@@ -107,14 +105,19 @@ std::vector<Row> rows_of(const std::vector<Line>& lines) {
 }
 
 Table table_of(const std::vector<Row>& rows) {
-  Table table({{"density", "kg/m3"}, {"ends at", "1e-6 s", {Notation::Kind::fixed, 4}}, {"dN"}, {"source"},
-               {"overlap", "1e-6 m", {Notation::Kind::fixed, 5}}, {"velocity", "m/s", {Notation::Kind::fixed, 5}},
+  Table table({{"density", "kg/m3"},
+               {"ends at", "1e-6 s", {Notation::Kind::fixed, 4}},
+               {"dN"},
+               {"source"},
+               {"overlap", "1e-6 m", {Notation::Kind::fixed, 5}},
+               {"velocity", "m/s", {Notation::Kind::fixed, 5}},
                {"force", "N", {Notation::Kind::fixed, 5}}},
               "Table I: the collision of Fig. 2 at its end, by dN steps");
   for (const Row& row : rows) {
     const auto add = [&](const char* source, const State& s) {
-      table.row({row.density, row.time * 1e6, row.line.steps > 0 ? console::Cell(std::int64_t{row.line.steps}) : "limit",
-                 source, s.overlap * 1e6, s.rate, s.force});
+      table.row({row.density, row.time * 1e6,
+                 row.line.steps > 0 ? console::Cell(std::int64_t{row.line.steps}) : "limit", source, s.overlap * 1e6,
+                 s.rate, s.force});
     };
     if (row.printed) add("paper", row.line.paper);
     if (row.line.steps > 0) {
@@ -124,8 +127,9 @@ Table table_of(const std::vector<Row>& rows) {
       add("exact", row.exact);
     }
   }
-  table.note("The paper's runs end at the assumed 38.6e-6 s; its integrator is not named. Each density also ends at its own "
-             "exact collision time.");
+  table.note(
+      "The paper's runs end at the assumed 38.6e-6 s; its integrator is not named. Each density also ends at its own "
+      "exact collision time.");
   return table;
 }
 
@@ -134,8 +138,13 @@ Json to_json(const State& s) { return {{"overlap", s.overlap}, {"velocity", s.ra
 Json rows_json(const std::vector<Row>& rows) {
   Json all = Json::array();
   for (const Row& row : rows)
-    all.push_back({{"density", row.density}, {"time", row.time}, {"printed_time", row.printed}, {"dN", row.line.steps},
-                   {"paper", to_json(row.line.paper)}, {"ours", to_json(row.literal)}, {"best", to_json(row.best)},
+    all.push_back({{"density", row.density},
+                   {"time", row.time},
+                   {"printed_time", row.printed},
+                   {"dN", row.line.steps},
+                   {"paper", to_json(row.line.paper)},
+                   {"ours", to_json(row.literal)},
+                   {"best", to_json(row.best)},
                    {"exact", to_json(row.exact)}});
   return all;
 }
@@ -162,7 +171,8 @@ bool within(double value, double printed, double last_digit) { return std::fabs(
 /// Do a density's exact t_col and estimate (57) round to the printed 38.6 and 37.8 µs?
 bool prints_times(double density) {
   const double coefficient = law.coefficient() / impact_of(density).mass_eff;
-  return within(exact_tcol(density), 38.6e-6, 0.1e-6) && within(tcol_estimate(coefficient, law.alpha()), 37.8e-6, 0.1e-6);
+  return within(exact_tcol(density), 38.6e-6, 0.1e-6) &&
+         within(tcol_estimate(coefficient, law.alpha()), 37.8e-6, 0.1e-6);
 }
 
 /// Does its exact overlap and velocity at the end round to the printed limit?
@@ -183,7 +193,8 @@ class Table1 : public Study {
     const std::vector<Row> rows = rows_of(lines);
     const State limit = lines.back().paper;
     const double literal = order_of(FractionalScheme::rectangle), best = order_of(FractionalScheme::arms_exponential);
-    const double paper20 = distance(lines[1].paper, limit, densities[0]), paper5 = distance(lines[0].paper, limit, densities[0]);
+    const double paper20 = distance(lines[1].paper, limit, densities[0]),
+                 paper5 = distance(lines[0].paper, limit, densities[0]);
 
     StudyResult result;
     result.tables.push_back(table_of(rows));
@@ -207,10 +218,9 @@ class Table1 : public Study {
     for (const double density : densities)
       reproduces += (reproduces.empty() ? "" : ", ") + console::shortest(density) +
                     (prints_times(density) ? " kg/m3 reproduces the printed times" : " kg/m3 does not");
-    result.verdict = reproduces +
-                     "; the exact overlap at the exact t_col is " + overlap(7850) + " (7850) and " + overlap(7680) +
-                     " (7680), printed 3.94422 (1e-6 m). (59) as written is of order " + console::fixed(literal, 2) +
-                     "; the paper's own digits fall from 5 to 20 steps like order " +
+    result.verdict = reproduces + "; the exact overlap at the exact t_col is " + overlap(7850) + " (7850) and " +
+                     overlap(7680) + " (7680), printed 3.94422 (1e-6 m). (59) as written is of order " +
+                     console::fixed(literal, 2) + "; the paper's own digits fall from 5 to 20 steps like order " +
                      console::fixed(std::log(paper5 / paper20) / std::log(4.0), 1) + ".";
     return result;
   }

@@ -7,7 +7,9 @@ namespace ricochet {
 
 namespace {
 
-void require_order(double alpha) { detail::require(alpha > 0 && alpha < 1, "alpha", alpha, "between 0 and 1, exclusive"); }
+void require_order(double alpha) {
+  detail::require(alpha > 0 && alpha < 1, "alpha", alpha, "between 0 and 1, exclusive");
+}
 
 void require_beta(double beta) { detail::require(std::isfinite(beta) && beta > 0, "beta", beta, "finite and > 0"); }
 

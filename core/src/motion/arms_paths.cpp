@@ -18,8 +18,7 @@ ArmStep arm_step(double rate, double h) {
   const double x = rate * h, decay = std::exp(-x);
   if (x >= 0.5) {
     const double before = (1 - (1 + x) * decay) / (x * x), after = (x + std::expm1(-x)) / (x * x);
-    return {decay,           h * before,          h * after, -std::expm1(-x) / rate, h * (0.5 - before) / rate,
-            h * (0.5 - after) / rate};
+    return {decay, h * before, h * after, -std::expm1(-x) / rate, h * (0.5 - before) / rate, h * (0.5 - after) / rate};
   }
   // Σ (−x)^k/(k+m)! and its like: the closed forms would cancel.
   double before = 0, after = 0, impulse_before = 0, impulse_after = 0, term = 0.5;  // (−x)^k/(k+2)!
@@ -30,8 +29,8 @@ ArmStep arm_step(double rate, double h) {
     impulse_after += term / (k + 3);
     term *= -x / (k + 3);
   }
-  return {decay, h * before, h * after, x > 0 ? -std::expm1(-x) / rate : h, h * h * impulse_before,
-          h * h * impulse_after};
+  return {
+      decay, h * before, h * after, x > 0 ? -std::expm1(-x) / rate : h, h * h * impulse_before, h * h * impulse_after};
 }
 
 std::vector<ArmStep> arm_steps(const Exponentials& kernel, double h) {
@@ -65,8 +64,8 @@ Path arms_path(const Mesh& mesh, const Exponentials& kernel, bool exact_impulse)
     }
     for (std::size_t j = 0; j < q.size(); ++j) {
       const ArmStep& s = steps[j];
-      known += kernel.strength[j] * (exact_impulse ? s.held * q[j] + s.impulse_before * v
-                                                 : 0.5 * h * (s.decay * q[j] + s.gain_before * v));
+      known += kernel.strength[j] *
+               (exact_impulse ? s.held * q[j] + s.impulse_before * v : 0.5 * h * (s.decay * q[j] + s.gain_before * v));
       slope += kernel.strength[j] * (exact_impulse ? s.impulse_after : 0.5 * h * s.gain_after);
     }
     const double rate = (v - known) / (1 + slope), overlap = z + 0.5 * h * (v + rate);

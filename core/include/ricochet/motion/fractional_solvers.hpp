@@ -36,8 +36,8 @@ enum class FractionalScheme {
 std::string_view name(FractionalScheme scheme) noexcept;
 
 struct FractionalSolverOptions {
-  double step = 0;      ///< h [s] > 0 (not used by collocation)
-  double offset = 0;    ///< in [0, 1): t_b lies this part of a step after a mesh point, so the first step is (1−offset) h
+  double step = 0;    ///< h [s] > 0 (not used by collocation)
+  double offset = 0;  ///< in [0, 1): t_b lies this part of a step after a mesh point, so the first step is (1−offset) h
   double end_time = 0;  ///< [s] > 0: go on through the mesh points up to this time, not to the force's zero
   int nodes = 24;       ///< of the collocation
   std::optional<MemoryKernel> kernel = {};  ///< of the arms; empty: one for δ = step and 1e-10, see solver_kernel
