@@ -45,6 +45,13 @@ std::string bound_text(const Gate& gate) {
   return "in [" + text(gate.low) + ", " + text(gate.high) + "]";
 }
 
+std::optional<double> room_taken(const Gate& gate) {
+  if (!std::isfinite(gate.value) || gate.low == gate.high) return std::nullopt;
+  if (gate.low == -open) return gate.high > 0 ? std::optional(std::max(0.0, gate.value / gate.high)) : std::nullopt;
+  if (gate.high == open) return gate.low > 0 && gate.value > 0 ? std::optional(gate.low / gate.value) : std::nullopt;
+  return std::abs(2 * gate.value - gate.low - gate.high) / (gate.high - gate.low);
+}
+
 console::Json to_json(const Gate& gate) {
   console::Json json{{"name", gate.name}, {"value", console::number_or_null(gate.value)}};
   if (gate.low == -open) {

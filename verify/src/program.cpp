@@ -9,7 +9,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace ricochet::verify {
 
@@ -51,34 +53,65 @@ Exit run_one(Study& study, const Options& options) {
   return judged(study, result);
 }
 
-/// A study that breaks down does not keep the others from being run; it shows in the exit code.
-Exit run_all(const Studies& studies, const Options& options) {
-  Exit worst = Exit::done;
+/// Runs one study and, where there is a folder, writes it. What breaks down is told and kept in the outcome.
+Outcome run_guarded(Study& study, const Options& options, Exit& worst) {
+  Outcome outcome{.study = &study};
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    outcome.result = study.run(options.run);
+    if (!options.folder.empty()) outcome.pictures = write_study(study, *outcome.result, options.folder);
+    worst = std::max(worst, judged(study, *outcome.result));
+  } catch (const std::exception& error) {
+    outcome.error = error.what();
+    console::complain("verify", study.name() + ": " + error.what());
+    worst = std::max(worst, console::exit_code(error));
+  }
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return outcome;
+}
+
+/// "ricochet/all/1", or every study's tables one after the other.
+std::string shown_all(const std::vector<Outcome>& outcomes, Format format) {
   std::string text;
   Json all{{"schema", "ricochet/all/1"}, {"gates", Json::array()}, {"studies", Json::array()}};
+  for (const Outcome& outcome : outcomes) {
+    if (!outcome.result) continue;
+    for (Gate gate : outcome.result->gates) {
+      gate.name = outcome.study->name() + ": " + gate.name;
+      all["gates"].push_back(to_json(gate));
+    }
+    if (format == Format::json)
+      all["studies"].push_back(study_json(*outcome.study, *outcome.result));
+    else
+      text += (text.empty() ? "" : "\n") + shown(*outcome.study, *outcome.result, format);
+  }
+  return format == Format::json ? console::document(all) : text;
+}
+
+/// The page is opened before the first study runs, so that a folder that cannot be written is told at once, and is put
+/// in its place last: it never links a file that is not there.
+Exit run_all(const Studies& studies, const Options& options) {
+  Exit worst = Exit::done;
+  std::optional<console::AtomicFile> page;
+  if (!options.folder.empty()) {
+    make_folder(options.folder);
+    page.emplace(options.folder + "/index.html");
+  }
+  std::vector<Outcome> outcomes;
   {
     console::Progress progress("verify", studies.size());
     for (const auto& study : studies) {
-      try {
-        const StudyResult result = study->run(options.run);
-        if (!options.folder.empty()) write_study(*study, result, options.folder);
-        for (Gate gate : result.gates) {
-          gate.name = study->name() + ": " + gate.name;
-          all["gates"].push_back(to_json(gate));
-        }
-        if (options.output.format == Format::json)
-          all["studies"].push_back(study_json(*study, result));
-        else
-          text += (text.empty() ? "" : "\n") + shown(*study, result, options.output.format);
-        worst = std::max(worst, judged(*study, result));
-      } catch (const std::exception& error) {
-        console::complain("verify", study->name() + ": " + error.what());
-        worst = std::max(worst, console::exit_code(error));
-      }
+      outcomes.push_back(run_guarded(*study, options, worst));
       progress.advance();
     }
   }
-  console::emit(options.output.file, options.output.format == Format::json ? console::document(all) : text);
+  if (page) {
+    const Facts made_by = facts(options.run.thorough);
+    console::write_atomically(options.folder + "/report.json", console::document(report_json(outcomes, made_by)));
+    page->write(report_page(outcomes, made_by));
+    page->commit();
+  }
+  console::emit(options.output.file, shown_all(outcomes, options.output.format));
   return worst;
 }
 
@@ -94,6 +127,8 @@ Json study_json(const Study& study, const StudyResult& result) {
   json.update(result.extra);
   json["gates"] = Json::array();
   for (const Gate& gate : result.gates) json["gates"].push_back(to_json(gate));
+  if (!result.remarks.empty()) json["remarks"] = Json::array();
+  for (const Remark& remark : result.remarks) json["remarks"].push_back({{"about", remark.about}, {"text", remark.text}});
   if (!result.rows.is_null()) {
     json["rows"] = result.rows;
     return json;
@@ -119,7 +154,7 @@ int run_verify(const Studies& studies, int argc, const char* const* argv) {
     study->add_options(*command);
   }
   CLI::App* all = app.add_subcommand("all", "every study, thoroughly");
-  add_common(*all, options, "--report", "also write every study with its figures into this folder");
+  add_common(*all, options, "--report", "also write the report into this folder: index.html, figures, CSV and JSON files");
   bool quick = false;
   all->add_flag("--quick", quick, "leave out what takes longer than a test run may");
   return console::run_program(app, argc, argv, [&] {

@@ -9,17 +9,60 @@
 
 namespace ricochet::verify {
 
-void write_study(const Study& study, const StudyResult& result, const std::string& folder) {
+namespace {
+
+using console::Json;
+
+Json files_of(const Outcome& outcome) {
+  Json files = Json::array({outcome.study->name() + ".json"});
+  for (std::size_t i = 0; i < outcome.result->tables.size(); ++i) files.push_back(table_file(*outcome.study, i));
+  for (std::size_t i = 0; i < outcome.pictures.size(); ++i) {
+    const console::Figure& figure = outcome.result->figures[i];
+    for (const char* ending : {".svg", ".png"}) files.push_back(figure.name + ending);
+    for (const console::DataFile& data : figure.data) files.push_back(data.name);
+  }
+  return files;
+}
+
+}  // namespace
+
+void make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw console::BadInput(folder + ": cannot make the folder: " + error.message());
-  const std::string stem = folder + "/" + study.name();
-  console::write_atomically(stem + ".json", console::document(study_json(study, result)));
-  for (std::size_t i = 0; i < result.tables.size(); ++i) {
-    const std::string number = i ? "-" + std::to_string(i + 1) : "";
-    console::write_atomically(stem + number + ".csv", result.tables[i].csv());
+}
+
+std::string table_file(const Study& study, std::size_t table) {
+  return study.name() + (table ? "-" + std::to_string(table + 1) : "") + ".csv";
+}
+
+std::vector<std::string> write_study(const Study& study, const StudyResult& result, const std::string& folder) {
+  make_folder(folder);
+  console::write_atomically(folder + "/" + study.name() + ".json", console::document(study_json(study, result)));
+  for (std::size_t i = 0; i < result.tables.size(); ++i)
+    console::write_atomically(folder + "/" + table_file(study, i), result.tables[i].csv());
+  std::vector<std::string> pictures;
+  for (const console::Figure& figure : result.figures) pictures.push_back(console::draw(figure, folder));
+  return pictures;
+}
+
+Json report_json(const std::vector<Outcome>& outcomes, const Facts& made_by) {
+  Json json{{"schema", "ricochet/report/1"}, {"made_by", Json::object()}, {"gates", Json::array()}, {"studies", Json::array()}};
+  for (const auto& [what, value] : made_by) json["made_by"][what] = value;
+  for (const Outcome& outcome : outcomes) {
+    Json study{{"name", outcome.study->name()}, {"seconds", outcome.seconds}};
+    study["error"] = outcome.error.empty() ? Json(nullptr) : Json(outcome.error);
+    if (outcome.result) {
+      study["files"] = files_of(outcome);
+      study.update(study_json(*outcome.study, *outcome.result));
+      for (Gate gate : outcome.result->gates) {
+        gate.name = outcome.study->name() + ": " + gate.name;
+        json["gates"].push_back(to_json(gate));
+      }
+    }
+    json["studies"].push_back(std::move(study));
   }
-  for (const console::Figure& figure : result.figures) console::draw(figure, folder);
+  return json;
 }
 
 }  // namespace ricochet::verify

@@ -231,6 +231,13 @@ class ColumnStudy : public Study {
       result.tables.push_back(std::move(proofs.orders));
       claim_gates(result.gates, figure, fit);
       result.verdict = verdict(figure, fit);
+      result.remarks = {{"Fig. 6, α for e_n = 0.945",
+                         "Printed as 0.0258. That α restores " + console::significant(fractional_contact(paper_alpha).en, 6) +
+                             "; e_n = 0.945 needs α = " + console::significant(conversion_degree(0.945), 6) + "."},
+                        {"Fig. 6, α(n_c)",
+                         "Printed as \"1+exp(−n_c)\", which exceeds 1. Read as 1 − (1 − α_1)^s with s = (1 + " +
+                             console::fixed(fit.law.a, 4) + " (n_c − 1))^" + console::fixed(fit.law.b, 4) +
+                             " it follows the event-driven column to " + console::fixed(fit.worst, 4) + "."}};
     }
     result.rows = rows(figure, case_);
     result.extra = {{"alpha_fit", {{"form", "1 - (1 - alpha_1)^((1 + a (nc - 1))^b)"}, {"alpha_1", fit.law.first},

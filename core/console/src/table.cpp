@@ -74,6 +74,8 @@ Cell blank() { return std::monostate{}; }
 
 Cell number_or_blank(double value) { return std::isfinite(value) ? Cell(value) : Cell(std::monostate{}); }
 
+std::string shown(const Cell& cell, const Notation& notation) { return std::visit(Shown{notation}, cell); }
+
 std::size_t display_width(std::string_view utf8) {
   return static_cast<std::size_t>(
       std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -97,6 +99,8 @@ Table& Table::note(std::string text) {
   notes_.push_back(std::move(text));
   return *this;
 }
+
+bool Table::right_aligned(std::size_t column) const { return is_right(columns_[column], rows_, column); }
 
 std::string Table::text() const {
   std::vector<std::vector<std::string>> lines(1);

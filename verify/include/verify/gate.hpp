@@ -3,6 +3,7 @@
 #include <console/json.hpp>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ bool all_pass(const std::vector<Gate>& gates);
 
 /// "<= 0.1", ">= 2", "in [1.9, 2.1]".
 std::string bound_text(const Gate& gate);
+
+/// How much of its room the value takes: 0 in the middle of two bounds or far inside one, 1 at a bound. Nothing where
+/// the bounds name one value, or zero: there is no room to speak of.
+std::optional<double> room_taken(const Gate& gate);
 
 /// {"name", "value", "bound", "pass"}: `bound` is a number for one-sided gates, [low, high] for two-sided ones;
 /// "kind" tells them apart: "at_most", "at_least", "between". A value that is not finite is null.

@@ -2,12 +2,43 @@
 
 #include <verify/study.hpp>
 
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace ricochet::verify {
 
 /// Writes a study into the folder (made if missing): <name>.json, each table as <name>.csv, <name>-2.csv, …, and its
-/// figures with their data. Each file is whole or absent. Throws as console::write_atomically and console::draw do.
-void write_study(const Study& study, const StudyResult& result, const std::string& folder);
+/// figures with their data; returns the figures as SVG. Each file is whole or absent. Throws as
+/// console::write_atomically and console::draw do.
+std::vector<std::string> write_study(const Study& study, const StudyResult& result, const std::string& folder);
+
+/// Makes the folder if it is missing; throws console::BadInput with the reason when it cannot.
+void make_folder(const std::string& folder);
+
+/// "orders.csv", "orders-2.csv", …
+std::string table_file(const Study& study, std::size_t table);
+
+/// One study of a run, or why there is none.
+struct Outcome {
+  const Study* study;
+  std::optional<StudyResult> result = {};
+  std::string error = {};                   ///< empty unless the study, or writing it, broke down
+  std::vector<std::string> pictures = {};  ///< SVG, one a figure
+  double seconds = 0;
+};
+
+/// What a run was made by: names and values such as {"compiler", "g++ 12.2.0"}.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/// Version, time, options, compiler, libraries and gnuplot of this run.
+Facts facts(bool thorough);
+
+/// The page of all studies, which loads nothing and links the files beside it.
+std::string report_page(const std::vector<Outcome>& outcomes, const Facts& made_by);
+
+/// "ricochet/report/1": the facts, every gate, and each study as study_json gives it, with its error and files.
+console::Json report_json(const std::vector<Outcome>& outcomes, const Facts& made_by);
 
 }  // namespace ricochet::verify

@@ -19,12 +19,19 @@ struct RunOptions {
   bool thorough = false;  ///< also what takes longer than a test run may: finer meshes, more cases
 };
 
+/// A place where the paper's print and this run's numbers differ, or where the print cannot be read.
+struct Remark {
+  std::string about;  ///< "Eq. (57)", "Table I"
+  std::string text;   ///< what stands there and what was computed, in sentences made from the numbers of this run
+};
+
 struct StudyResult {
   std::vector<Gate> gates;
   std::vector<console::Table> tables;             ///< shown in this order; CSV files of a report
   console::Json rows = nullptr;                   ///< "rows" of the JSON; null: the rows of the first table
   console::Json extra = console::Json::object();  ///< further members of the JSON's top level
   std::vector<console::Figure> figures;
+  std::vector<Remark> remarks;
   std::string verdict;  ///< what was found, in one sentence, made from the numbers of this run
 };
 

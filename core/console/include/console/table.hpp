@@ -48,6 +48,8 @@ class Table {
   const std::vector<std::vector<Cell>>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
 
+  bool right_aligned(std::size_t column) const;  ///< as the renderings align it
+
   std::string text() const;      ///< aligned columns, units in a line of their own under the names
   std::string csv() const;       ///< RFC 4180 with "\n" ends, header "name [unit]", numbers by shortest round trip
   std::string markdown() const;  ///< a pipe table
@@ -60,6 +62,9 @@ class Table {
   std::vector<std::vector<Cell>> rows_;
   std::vector<std::string> notes_;
 };
+
+/// A cell as the renderings for people show it.
+std::string shown(const Cell& cell, const Notation& notation);
 
 /// Number of character cells that UTF-8 text takes on a terminal (one a code point; combining marks are not used).
 std::size_t display_width(std::string_view utf8);

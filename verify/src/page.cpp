@@ -1,0 +1,175 @@
+#include <verify/report.hpp>
+
+#include <console/html.hpp>
+#include <console/number.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet::verify {
+
+namespace {
+
+using console::Column;
+using console::escaped;
+using console::HtmlLink;
+using console::Notation;
+using console::Table;
+
+bool passed(const Outcome& outcome) {
+  return outcome.error.empty() && outcome.result && all_pass(outcome.result->gates);
+}
+
+std::size_t passed_gates(const StudyResult& result) {
+  return static_cast<std::size_t>(
+      std::count_if(result.gates.begin(), result.gates.end(), [](const Gate& gate) { return gate.pass; }));
+}
+
+struct Count {
+  std::size_t gates = 0, failed = 0, broken = 0;
+};
+
+Count count(const std::vector<Outcome>& outcomes) {
+  Count all;
+  for (const Outcome& outcome : outcomes) {
+    all.broken += !outcome.error.empty();
+    if (!outcome.result) continue;
+    all.gates += outcome.result->gates.size();
+    all.failed += outcome.result->gates.size() - passed_gates(*outcome.result);
+  }
+  return all;
+}
+
+std::string summary(const Count& all) {
+  std::string text = std::to_string(all.gates - all.failed) + " of " + std::to_string(all.gates) + " gates passed";
+  if (all.failed) text += ", " + std::to_string(all.failed) + " failed";
+  if (all.broken) text += "; " + std::to_string(all.broken) + (all.broken == 1 ? " study" : " studies") + " broke down";
+  return text + ".";
+}
+
+std::string anchor(const Outcome& outcome) { return "study-" + outcome.study->name(); }
+
+/// One line a study: the way into the page.
+std::string overview(const std::vector<Outcome>& outcomes) {
+  Table table({{"study"}, {"outcome"}, {"gates"}, {"what was found"}, {"time", "s", {Notation::Kind::fixed, 1}}}, "The studies");
+  std::vector<std::string> names;
+  for (const Outcome& o : outcomes) {
+    names.push_back("<a href=\"#" + anchor(o) + "\">" + escaped(o.study->name()) + "</a>");
+    const std::string gates =
+        o.result ? std::to_string(passed_gates(*o.result)) + " of " + std::to_string(o.result->gates.size()) : "-";
+    table.row({o.study->name(), std::string(!o.error.empty() ? "broke down" : passed(o) ? "passed" : "failed"), gates,
+               o.error.empty() ? o.result->verdict : o.error, o.seconds});
+  }
+  return console::html_table(table, {.id = "studies", .shown = 40, .raw_first = names});
+}
+
+struct Judged {
+  const Outcome* outcome;
+  const Gate* gate;
+};
+
+/// What failed, then what came nearest to failing, then what has no room to measure, in the order of the studies.
+std::vector<Judged> by_weight(const std::vector<Outcome>& outcomes) {
+  std::vector<Judged> all;
+  for (const Outcome& outcome : outcomes)
+    if (outcome.result)
+      for (const Gate& gate : outcome.result->gates) all.push_back({&outcome, &gate});
+  const auto weight = [](const Judged& j) { return j.gate->pass ? room_taken(*j.gate).value_or(-1) : HUGE_VAL; };
+  std::stable_sort(all.begin(), all.end(), [&](const Judged& a, const Judged& b) { return weight(a) > weight(b); });
+  return all;
+}
+
+/// A value that is a statement's truth reads better as a word.
+std::string value_text(const Gate& gate) {
+  if (!std::isfinite(gate.value)) return "not finite";
+  if (gate.low == 1 && gate.high == 1) return gate.value == 1 ? "true" : "false";
+  return console::significant(gate.value, 6);
+}
+
+std::string gates_table(const std::vector<Judged>& all, const std::string& id, const std::string& caption, bool with_study) {
+  std::vector<Column> columns{{"outcome"}, {"gate"}, {"value", "", {}, console::Align::right}, {"must be"}, {"room taken", "%", {Notation::Kind::fixed, 0}}};
+  if (with_study) columns.insert(columns.begin() + 1, {"study"});
+  Table table(columns, caption);
+  std::vector<std::string> outcomes;
+  for (const Judged& j : all) {
+    const Gate& gate = *j.gate;
+    const auto room = room_taken(gate);
+    std::vector<console::Cell> cells{std::string(gate.pass ? "passed" : "failed"), gate.name, value_text(gate),
+                                     gate.low == 1 && gate.high == 1 ? "true" : bound_text(gate),
+                                     room ? console::Cell(100 * *room) : console::blank()};
+    if (with_study) cells.insert(cells.begin() + 1, j.outcome->study->name());
+    table.row(cells);
+    outcomes.push_back(console::html_status(gate.pass));
+  }
+  return console::html_table(table, {.id = id, .shown = 12, .most = 2000, .raw_first = outcomes});
+}
+
+std::string remarks(const std::vector<Outcome>& outcomes) {
+  std::string list;
+  for (const Outcome& outcome : outcomes)
+    if (outcome.result)
+      for (const Remark& remark : outcome.result->remarks)
+        list += "<dt><strong>" + escaped(remark.about) + "</strong></dt><dd>" + escaped(remark.text) + " <a href=\"#" + anchor(outcome) +
+                "\">" + escaped(outcome.study->name()) + "</a></dd>\n";
+  if (list.empty()) return {};
+  return "<h2 id=\"print\">Where the print and the numbers differ</h2>\n<p>The paper's text reached us as a scan whose "
+         "formulas are partly illegible; what stands here was computed in this run.</p>\n<dl class=\"facts\">\n" + list + "</dl>\n";
+}
+
+std::string figures(const Outcome& outcome) {
+  std::string html;
+  for (std::size_t i = 0; i < outcome.pictures.size(); ++i) {
+    const console::Figure& figure = outcome.result->figures[i];
+    std::vector<HtmlLink> links{{figure.name + ".svg", figure.name + ".svg"}, {figure.name + ".png", figure.name + ".png"}};
+    for (const console::DataFile& data : figure.data) links.push_back({data.name, data.name});
+    html += console::html_figure(figure, outcome.pictures[i], links);
+  }
+  return html;
+}
+
+std::string section(const Outcome& outcome) {
+  const std::string id = anchor(outcome), name = outcome.study->name();
+  std::string html = "<section aria-labelledby=\"" + id + "\">\n<h2 id=\"" + id + "\">" + escaped(name) + " " +
+                     console::html_status(passed(outcome)) + "</h2>\n<p><strong>Claimed:</strong> " + escaped(outcome.study->claim()) + ".</p>\n";
+  if (!outcome.error.empty())
+    html += "<p class=\"verdict\"><strong>Broke down:</strong> " + escaped(outcome.error) + "</p>\n";
+  if (!outcome.result) return html + "</section>\n";
+  const StudyResult& result = *outcome.result;
+  if (!result.verdict.empty()) html += "<p class=\"verdict\"><strong>Found:</strong> " + escaped(result.verdict) + "</p>\n";
+  html += figures(outcome);
+  if (!result.tables.empty()) html += "<h3>What was measured</h3>\n";
+  for (std::size_t i = 0; i < result.tables.size(); ++i) {
+    const std::string file = table_file(*outcome.study, i);
+    html += console::html_table(result.tables[i], {.id = name + "-table-" + std::to_string(i + 1), .links = {{file, file}}});
+  }
+  html += "<h3>Gates</h3>\n<p>" + summary({result.gates.size(), result.gates.size() - passed_gates(result), 0}) + " Everything as <a href=\"" +
+          name + ".json\">" + name + ".json</a>.</p>\n";
+  const auto mine = by_weight({outcome});
+  if (!mine.empty()) html += gates_table(mine, name + "-gates", "Gates of " + name, false);
+  return html + "</section>\n";
+}
+
+std::string made(const Facts& made_by) {
+  std::string html = "<dl class=\"facts\">\n";
+  for (const auto& [what, value] : made_by) html += "<dt>" + escaped(what) + "</dt><dd>" + escaped(value) + "</dd>\n";
+  return html + "</dl>\n";
+}
+
+}  // namespace
+
+std::string report_page(const std::vector<Outcome>& outcomes, const Facts& made_by) {
+  const Count all = count(outcomes);
+  const bool good = all.failed == 0 && all.broken == 0;
+  std::string body =
+      "<header>\n<h1>What Ricochet verified</h1>\n<p class=\"lead\">" + console::html_status(good) + " " + escaped(summary(all)) +
+      "</p>\n<p>Every claim of J. S. Leszczynski, Phys. Rev. E 70, 051315 (2004), on the fractional interaction law, and every claim of "
+      "this program about itself, measured against bounds that were derived beforehand.</p>\n" + made(made_by) + "</header>\n<main id=\"content\">\n" +
+      overview(outcomes) + remarks(outcomes) + "<h2 id=\"gates\">Gates</h2>\n<p>A gate is a number and the bounds that it must keep. What failed comes "
+      "first, then what came nearest to its bound. The whole run as <a href=\"report.json\">report.json</a>.</p>\n" +
+      gates_table(by_weight(outcomes), "all-gates", "All gates", true);
+  for (const Outcome& outcome : outcomes) body += section(outcome);
+  body += "</main>\n<footer><p>" + escaped(made_by.front().second) + ". SI units unless a column says otherwise.</p></footer>\n";
+  return console::html_page("What Ricochet verified: " + summary(all), body);
+}
+
+}  // namespace ricochet::verify
