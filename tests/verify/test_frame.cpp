@@ -1,6 +1,7 @@
 #include "../console/temporary_folder.hpp"
 
 #include <verify/program.hpp>
+#include <verify/report.hpp>
 
 #include <CLI/CLI.hpp>
 #include <catch2/catch.hpp>
@@ -116,7 +117,42 @@ TEST_CASE("all runs every study thoroughly and writes the report") {
   CHECK(json["gates"][0]["name"] == "toy: x is small");
   CHECK(json["studies"][0]["rows"][0]["thorough"] == true);
   CHECK(read_file(folder / "report/toy.csv") == "x [m],thorough\n0.5,true\n");
+  CHECK(console::Json::parse(read_file(folder / "report/report.json"))["studies"][0]["files"][1] == "toy.csv");
+  CHECK(read_file(folder / "report/index.html").find("1 of 1 gates passed.") != std::string::npos);
   CHECK(console::Json::parse(read_file(folder / "report/toy.json"))["schema"] == "ricochet/toy/1");
   CHECK(console::Json::parse(run({"all", "--quick", "--format", "json"}).out)["studies"][0]["rows"][0]["thorough"] ==
         false);
+}
+
+TEST_CASE("the report is one page that loads nothing, with what failed before what passed") {
+  Toy toy;
+  StudyResult result = toy.run({});
+  result.gates = {at_most("calm <b>", 0.1, 1), at_most("near its bound", 0.9, 1), at_most("beyond", 2, 1), holds("true", true)};
+  result.verdict = "x is 0.5.";
+  result.remarks = {{"Eq. (1)", "Printed wrongly."}};
+  std::vector<Outcome> outcomes(2);
+  outcomes[0].study = outcomes[1].study = &toy;
+  outcomes[0].result = result;
+  outcomes[1].error = "x broke";
+  const std::string page = report_page(outcomes, {{"version", "Ricochet 1"}});
+  CHECK(page.find("http") == std::string::npos);
+  CHECK(page.find("3 of 4 gates passed, 1 failed; 1 study broke down.") != std::string::npos);
+  CHECK(page.find("calm &lt;b&gt;") != std::string::npos);
+  CHECK(page.find("beyond") < page.find("near its bound"));
+  CHECK(page.find("near its bound") < page.find("calm"));
+  CHECK(page.find("Broke down:</strong> x broke") != std::string::npos);
+  CHECK(page.find("Printed wrongly.") != std::string::npos);
+  const auto json = report_json(outcomes, {{"version", "Ricochet 1"}});
+  CHECK(json["schema"] == "ricochet/report/1");
+  CHECK(json["gates"].size() == 4);
+  CHECK(json["studies"][1]["error"] == "x broke");
+}
+
+TEST_CASE("how much of its room a gate's value takes") {
+  CHECK(room_taken(at_most("", 1, 4)) == 0.25);
+  CHECK(room_taken(at_least("", 4, 1)) == 0.25);
+  CHECK(room_taken(between("", 2.5, 1, 3)) == 0.5);
+  CHECK(room_taken(at_most("", 2, 1)) == 2);
+  CHECK_FALSE(room_taken(holds("", true)));
+  CHECK_FALSE(room_taken(at_most("", std::nan(""), 1)));
 }

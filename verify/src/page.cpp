@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace ricochet::verify {
 
@@ -69,7 +70,7 @@ struct Judged {
 };
 
 /// What failed, then what came nearest to failing, then what has no room to measure, in the order of the studies.
-std::vector<Judged> by_weight(const std::vector<Outcome>& outcomes) {
+std::vector<Judged> by_weight(std::span<const Outcome> outcomes) {
   std::vector<Judged> all;
   for (const Outcome& outcome : outcomes)
     if (outcome.result)
@@ -144,7 +145,7 @@ std::string section(const Outcome& outcome) {
   }
   html += "<h3>Gates</h3>\n<p>" + summary({result.gates.size(), result.gates.size() - passed_gates(result), 0}) + " Everything as <a href=\"" +
           name + ".json\">" + name + ".json</a>.</p>\n";
-  const auto mine = by_weight({outcome});
+  const auto mine = by_weight({&outcome, 1});
   if (!mine.empty()) html += gates_table(mine, name + "-gates", "Gates of " + name, false);
   return html + "</section>\n";
 }

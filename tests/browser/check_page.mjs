@@ -1,0 +1,118 @@
+// Opens a page in headless Chromium and holds it against what the reports promise:
+//   node check_page.mjs PAGE.html MODULES [SHOTS]
+// no error in the console, no request to any network, every picture there, every link leading somewhere, nothing wider
+// than the window from 320 to 3840 pixels, an order of focus that follows the page, and no finding of axe-core in
+// light or dark. MODULES holds node_modules; SHOTS, if given, receives screenshots.
+
+import {existsSync, mkdtempSync, rmSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
+import {basename, dirname, join, resolve} from 'node:path';
+import {fileURLToPath, pathToFileURL} from 'node:url';
+
+const [page_file, modules, shots] = process.argv.slice(2);
+const require = createRequire(pathToFileURL(join(resolve(modules), 'package.json')));
+const {chromium} = require('playwright-core');
+const address = pathToFileURL(resolve(page_file)).href;
+const found = [];
+const report = (what, detail) => found.push(`${what}: ${detail}`);
+
+const quiet = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync'];
+const browser_path = process.env.CHROMIUM ??
+  ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(path => existsSync(path));
+if (!browser_path) {
+  console.error('no Chromium found: install the package chromium, or name it in the variable CHROMIUM');
+  process.exit(1);
+}
+
+async function check_links(page) {
+  const broken = await page.evaluate(() => {
+    const missing = [];
+    for (const link of document.querySelectorAll('a[href]')) {
+      const target = link.getAttribute('href');
+      if (target.startsWith('#') && !document.getElementById(target.slice(1))) missing.push(target);
+    }
+    return missing;
+  });
+  for (const target of broken) report('link into nowhere', target);
+  const files = await page.$$eval('a[href]', links => links.map(link => link.href));
+  for (const href of new Set(files)) {
+    if (!href.startsWith('file:')) report('link out of the report', href);
+    else if (!existsSync(fileURLToPath(href.split('#')[0]))) report('link to a missing file', href);
+  }
+}
+
+async function check_pictures(page) {
+  await page.evaluate(() => Promise.all([...document.images].map(image => image.decode().catch(() => {}))));
+  const missing = await page.$$eval('img', images => images.filter(i => !i.complete || i.naturalWidth === 0 || !i.alt).map(i => i.alt || i.src.slice(0, 80)));
+  for (const alt of missing) report('picture missing or without alternative text', alt);
+}
+
+/// Everything that can be focused comes in the order of the page, and the focus never gets stuck.
+async function check_keyboard(page) {
+  const stops = Math.min(60, await page.$$eval('a[href],button:not([hidden]),summary,[tabindex="0"]', all => all.length));
+  let last = -1;
+  for (let i = 0; i < stops; ++i) {
+    await page.keyboard.press('Tab');
+    const at = await page.evaluate(() => [...document.querySelectorAll('*')].indexOf(document.activeElement));
+    if (at <= last) return report('keyboard', `stop ${i + 1} does not follow stop ${i}`);
+    last = at;
+  }
+}
+
+async function check_copying(page) {
+  const button = page.locator('button[data-copy]').first();
+  if (!await button.count()) return;
+  await button.click();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  const wanted = await page.evaluate(() => document.getElementById(document.querySelector('button[data-copy]').dataset.copy).textContent);
+  if (copied !== wanted) report('copy button', 'the clipboard does not hold the text');
+}
+
+async function check_axe(page, scheme) {
+  await page.evaluate(() => { for (const d of document.querySelectorAll('details')) d.open = true; });
+  const {violations} = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations']}));
+  for (const v of violations)
+    report(`axe-core, ${scheme}`, `${v.id}: ${v.help}: ${v.nodes.length} times, first ${v.nodes[0].target.join(' ')} (${v.nodes[0].failureSummary?.split('\n')[1]?.trim()})`);
+  return violations.length;
+}
+
+const profile = mkdtempSync(join(tmpdir(), 'ricochet-browser-'));
+let pages = 0;
+try {
+  for (const scheme of ['light', 'dark']) {
+    const context = await chromium.launchPersistentContext(join(profile, scheme), {executablePath: browser_path, headless: true,
+      args: quiet, colorScheme: scheme, viewport: {width: 1440, height: 900}, permissions: ['clipboard-read', 'clipboard-write']});
+    const page = await context.newPage();
+    page.on('console', message => { if (['error', 'warning'].includes(message.type())) report('console', message.text()); });
+    page.on('pageerror', error => report('script', error.message));
+    page.on('request', request => { if (!/^(file|data|blob):/.test(request.url())) report('request', request.url()); });
+    page.on('requestfailed', request => report('request failed', request.url().slice(0, 100)));
+    await page.goto(address, {waitUntil: 'load'});
+    if (!await page.title()) report('title', 'missing');
+    await check_pictures(page);
+    if (scheme === 'light') {
+      await check_links(page);
+      await check_keyboard(page);
+      await check_copying(page);
+    }
+    for (const width of [320, 768, 1440, 3840]) {
+      await page.setViewportSize({width, height: width > 2000 ? 2160 : 900});
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      if (wide > 0) report('horizontal scroll', `${wide} pixels at a width of ${width}, ${scheme}`);
+      if (shots && width !== 3840)
+        await page.screenshot({path: join(shots, `${basename(page_file, '.html')}-${scheme}-${width}.png`), fullPage: true});
+      ++pages;
+    }
+    await page.setViewportSize({width: 1440, height: 900});
+    await page.addScriptTag({path: join(dirname(require.resolve('axe-core')), 'axe.min.js')});
+    await check_axe(page, scheme);
+    await context.close();
+  }
+} finally {
+  rmSync(profile, {recursive: true, force: true});
+}
+for (const line of found) console.error(line);
+console.log(`${basename(page_file)}: ${pages} views, ${found.length} findings`);
+process.exit(found.length ? 1 : 0);

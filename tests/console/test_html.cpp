@@ -1,0 +1,47 @@
+#include <console/html.hpp>
+
+#include <catch2/catch.hpp>
+
+using namespace ricochet::console;
+
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("text in a page cannot become markup") {
+  CHECK(escaped("<a href=\"x\" b='y'>&\x01") == "&lt;a href=&quot;x&quot; b=&#39;y&#39;&gt;&amp; ");
+  CHECK(slug("Fig. 5, α(nc)") == "fig-5-nc");
+}
+
+TEST_CASE("a table in a page has a caption, headers with units, and hides what is long") {
+  Table table({{"law"}, {"k", "kg/s²"}}, "Laws & ends");
+  for (int i = 0; i < 50; ++i) table.row({"law " + std::to_string(i), 1.5 * i});
+  table.note("a note");
+  const std::string html = html_table(table, {.id = "t", .links = {{"t.csv", "t.csv"}}, .shown = 10, .most = 30});
+  CHECK(html.find("<caption id=\"t\">Laws &amp; ends</caption>") != std::string::npos);
+  CHECK(html.find("<th scope=\"col\" class=\"n\">k<span class=\"unit\">kg/s²</span></th>") != std::string::npos);
+  CHECK(html.find("<th scope=\"row\">law 3</th><td class=\"n\">4.5</td>") != std::string::npos);
+  CHECK(html.find("<summary>20 more rows</summary>") != std::string::npos);
+  CHECK(html.find("20 further rows are in the CSV file.") != std::string::npos);
+  CHECK(html.find("<a href=\"t.csv\">t.csv</a>") != std::string::npos);
+  CHECK(count(html, "tabindex=\"0\"") == 2);
+  CHECK(count(html, "scope=\"row\"") == 30);
+}
+
+TEST_CASE("a figure in a page carries its picture and says its finding") {
+  const Figure figure{.name = "line", .caption = "A line.", .script = "plot x", .data = {}, .finding = "It rises."};
+  const std::string svg = svg_of(figure);
+  CHECK(svg.find("<title>A line.</title>") != std::string::npos);
+  CHECK(svg.find("<desc>It rises.</desc>") != std::string::npos);
+  CHECK(svg.find("prefers-color-scheme:dark") != std::string::npos);
+  const std::string html = html_figure(figure, svg, {});
+  CHECK(html.find("alt=\"It rises.\"") != std::string::npos);
+  CHECK(html.find("src=\"data:image/svg+xml") != std::string::npos);
+  CHECK(html.find("<svg") == std::string::npos);
+}
