@@ -21,6 +21,7 @@ struct Options {
   Settings settings;
   std::string method = "nlopt";
   std::string engine;  ///< of --export; empty: none
+  std::string page;    ///< of --report; empty: none
   console::OutputOptions output;
 };
 

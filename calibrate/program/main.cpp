@@ -17,6 +17,7 @@ std::string lone_failure(const Infeasible& missed) {
 console::Exit work(Options& options) {
   options.settings.method = options.method == "nlopt" ? Method::nlopt : Method::direct;
   const Report report = run(job_of(options), options.settings);
+  if (!options.page.empty()) console::write_atomically(options.page, page_of(report));
   console::emit(options.output.file, options.engine.empty() ? render(report, options.output.format)
                                                             : exported(report, options.engine, options.output.format));
   // Other laws that did reach the target answer the question; only a lone law that cannot is an error.

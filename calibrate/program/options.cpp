@@ -48,6 +48,8 @@ void add_options(CLI::App& app, Options& o) {
   add_number(app, "--tolerance", o.settings.tolerance, "relative, in tcol and en (default 1e-10)");
   add_choice(app, "--export", o.engine, {"liggghts", "lammps", "yade", "mercurydpm", "mfix"},
              "write the laws in an engine's own language instead");
+  app.add_option("--report", o.page, "also write a page with curves, sensitivities, time steps and export snippets")
+      ->type_name("FILE.html");
   console::add_output_options(app, o.output);
 }
 

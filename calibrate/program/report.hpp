@@ -32,6 +32,9 @@ console::Table csv_of(const Report& report);
 /// "ricochet/calibration/1".
 std::string json_of(const Report& report);
 
+/// The same and more as one page that loads nothing: curves, sensitivity, time steps, export snippets.
+std::string page_of(const Report& report);
+
 std::string render(const Report& report, console::Format format);
 
 }  // namespace ricochet::calibration

@@ -1,0 +1,179 @@
+#include "report.hpp"
+
+#include <calibrate/advice.hpp>
+#include <calibrate/export.hpp>
+#include <console/html.hpp>
+#include <console/number.hpp>
+#include <console/panels.hpp>
+
+#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/motion/trace.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace ricochet::calibration {
+namespace {
+
+using console::escaped;
+using console::Notation;
+using console::Table;
+
+constexpr std::array bounds{0.05, 0.01, 0.001};  ///< errors of e_n that the time step is given for
+
+std::string title_of(const Calibration& r) {
+  return std::string(name(r.law)) + (r.end == ContactEnd::overlap ? ", ended by overlap" : ", ended by force");
+}
+
+/// The curves of one law up to the end of its contact; those of the fractional law are the closed form.
+struct Curves {
+  const Target& target;
+  double tcol;
+
+  template <class Law>
+  std::vector<console::Moment> operator()(const Law& law) const {
+    constexpr std::size_t steps = 2000, every = 10;
+    std::vector<console::Moment> moments;
+    const auto points = trace(law, target.impact, tcol, steps);
+    for (std::size_t i = 0; i < points.size(); i += every)
+      moments.push_back({points[i].time, points[i].overlap, points[i].rate, points[i].force});
+    return moments;
+  }
+  std::vector<console::Moment> operator()(const Fractional& law) const {
+    constexpr int samples = 200;
+    const FractionalTrajectory motion(law.coefficient(), law.alpha(), target.impact.mass_eff, target.impact.velocity);
+    std::vector<console::Moment> moments;
+    for (int i = 0; i <= samples; ++i) {
+      const double t = tcol * i / samples;
+      moments.push_back({t, motion.overlap(t), motion.rate(t), motion.force(t)});
+    }
+    return moments;
+  }
+};
+
+console::Figure curves_figure(const Report& report) {
+  std::vector<console::Motion> motions;
+  const Calibration *least = nullptr, *most = nullptr;
+  for (const Calibration& r : report.results) {
+    motions.push_back({title_of(r), std::visit(Curves{report.job.target, r.achieved.tcol}, r.law)});
+    if (!least || r.achieved.max_force < least->achieved.max_force) least = &r;
+    if (!most || r.achieved.max_force > most->achieved.max_force) most = &r;
+  }
+  auto figure = console::collision_panels("collision", "Overlap, velocity and force during the collision, under every law.", motions);
+  figure.finding = "All laws end after the same time with the same velocity; on the way the greatest force ranges from " +
+                   console::significant(least->achieved.max_force, 3) + " N (" + title_of(*least) + ") to " +
+                   console::significant(most->achieved.max_force, 3) + " N (" + title_of(*most) + ").";
+  return figure;
+}
+
+Table sensitivity_table(const Report& report) {
+  const Notation three{Notation::Kind::fixed, 3};
+  Table table({{"law"}, {"end"}, {"parameter"}, {"tcol changes by", "%", three}, {"en changes by", "%", three}},
+              "What one percent more of a parameter does");
+  for (const Calibration& r : report.results)
+    for (const Sensitivity& s : sensitivities(r.law, r.end, report.job.target.impact))
+      table.row({std::string(name(r.law)), std::string(text(r.end)), s.parameter.name, s.tcol ? console::Cell(*s.tcol) : console::blank(),
+                 s.en ? console::Cell(*s.en) : console::blank()});
+  return table;
+}
+
+struct Stepping {
+  std::string title;
+  std::string law, end;
+  std::vector<StepError> errors;
+};
+
+std::vector<Stepping> steppings(const Report& report) {
+  std::vector<Stepping> all;
+  for (const Calibration& r : report.results)
+    all.push_back({title_of(r), std::string(name(r.law)), std::string(text(r.end)), step_errors(r.law, r.end, report.job.target)});
+  return all;
+}
+
+Table step_table(const std::vector<Stepping>& all, double tcol) {
+  std::vector<console::Column> columns{{"law"}, {"end"}};
+  for (const double bound : bounds) {
+    columns.push_back({"steps a collision for " + console::shortest(100 * bound) + " %"});
+    columns.push_back({"time step", "s", {Notation::Kind::significant, 3}});
+  }
+  Table table(columns, "Time step of a DEM run for a stated greatest error in e_n");
+  for (const Stepping& s : all) {
+    std::vector<console::Cell> row{s.law, s.end};
+    for (const double bound : bounds) {
+      const auto steps = steps_for(s.errors, bound);
+      row.push_back(steps ? console::Cell(std::int64_t{*steps}) : console::blank());
+      row.push_back(steps ? console::Cell(tcol / *steps) : console::blank());
+    }
+    table.row(row);
+  }
+  table.note("-: more than 1000 steps.");
+  return table;
+}
+
+console::Figure step_figure(const std::vector<Stepping>& all) {
+  std::string csv = "law,steps,error of en\n", plot;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i) csv += "\n\n";
+    for (const StepError& e : all[i].errors)
+      if (e.error > 0) csv += '"' + all[i].title + "\"," + std::to_string(e.steps) + "," + console::shortest(e.error) + "\n";
+    plot += (i ? ", \\\n  " : "plot ") + std::string("'steps.csv' ") + (i ? "" : "skip 1 ") + "index " + std::to_string(i) +
+            " using 2:3 with linespoints lt " + std::to_string(i % 7 + 1) + " ps 0.7 title '" + all[i].title + "'";
+  }
+  console::Figure figure{.name = "steps",
+                         .caption = "Greatest error of e_n against the number of time steps a collision, as engines step it.",
+                         .script = "set logscale xy\nset format y '%g'\nset xlabel 'time steps a collision, t_{col}/Δt'\n"
+                                   "set ylabel 'greatest relative error of e_n'\nset key outside right center\n" + plot + "\n",
+                         .data = {{"steps.csv", csv}},
+                         .width = 960,
+                         .height = 460};
+  const auto worst = std::max_element(all.begin(), all.end(), [](const Stepping& a, const Stepping& b) {
+    return a.errors[5].error < b.errors[5].error;
+  });
+  figure.finding = "With " + std::to_string(worst->errors[5].steps) + " steps a collision the error is " +
+                   console::significant(100 * worst->errors[5].error, 2) + " % at worst (" + worst->title +
+                   "); it falls in proportion to the step.";
+  return figure;
+}
+
+std::string target_text(const Target& target) {
+  using console::shortest;
+  return "tcol = " + shortest(target.tcol) + " s, en = " + shortest(target.en);
+}
+
+std::string snippets(const Report& report) {
+  std::string html = "<h2 id=\"export\">For the engines</h2>\n<p>The first law that an engine runs exactly is active, the others are comments.</p>\n";
+  for (const Engine engine : engines()) {
+    const std::string word(text(engine));
+    html += "<h3>" + escaped(version(engine)) + "</h3>\n" +
+            console::html_code("code-" + word, "Input for " + word, exported(report, word, console::Format::table));
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string page_of(const Report& report) {
+  const Target& target = report.job.target;
+  std::string body = "<header>\n<h1>Contact laws for a measured rebound</h1>\n<p class=\"lead\">" + escaped(target_text(target)) + " at " +
+                     console::shortest(target.impact.velocity) + " m/s, effective mass " + console::significant(target.impact.mass_eff, 9) +
+                     " kg</p>\n<p>Parameters of every contact law that make a collision take this time and keep this share of the velocity, "
+                     "proved by an independent numerical collision.</p>\n</header>\n<main id=\"content\">\n<h2 id=\"parameters\">Parameters</h2>\n";
+  const auto tables = tables_of(report);
+  for (std::size_t i = 0; i < tables.size(); ++i) body += console::html_table(tables[i], {.id = "table-" + std::to_string(i + 1), .shown = 40});
+  if (!report.results.empty()) {
+    const auto all = steppings(report);
+    const auto curves = curves_figure(report), steps = step_figure(all);
+    body += "<h2 id=\"curves\">The collision</h2>\n" + console::html_figure(curves, console::svg_of(curves), {}) +
+            "<h2 id=\"sensitivity\">Sensitivity</h2>\n" + console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}) +
+            "<h2 id=\"step\">Which time step</h2>\n<p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force from the position at the "
+            "end of the step and the velocity at its middle, a contact found once the bodies overlap. The error is the greatest over "
+            "sixteen places of the first touch within a step.</p>\n" +
+            console::html_table(step_table(all, target.tcol), {.id = "steps", .shown = 40}) + console::html_figure(steps, console::svg_of(steps), {}) +
+            snippets(report);
+  }
+  body += "<h2 id=\"data\">Everything as JSON</h2>\n<details><summary>ricochet/calibration/1</summary>\n" +
+          console::html_code("code-json", "The calibration as JSON", json_of(report)) + "</details>\n</main>\n<footer><p>Ricochet. SI units.</p></footer>\n";
+  return console::html_page("Contact laws for " + target_text(target), body);
+}
+
+}  // namespace ricochet::calibration
