@@ -121,6 +121,11 @@ Json parse(const std::string& file, const std::string& text) {
     json = Json::parse(text, std::ref(keys));
   } catch (const Json::parse_error& error) {
     throw BadInput(file + ":" + place(text, error.byte) + ": no JSON: must be one object as docs/scenes.md describes");
+  } catch (const Json::out_of_range& error) {  // 406, "number overflow parsing '1e999'"
+    const std::string message = error.what();
+    const std::size_t first = message.find('\'') + 1, end = message.rfind('\'');
+    const std::string number = message.substr(first, end - first);
+    throw BadInput(file + ":" + place(text, text.find(number) + 1) + ": " + number + ": must be at most 1.8e308 in size");
   }
   if (!keys.repeated.empty())
     throw BadInput(file + ": key \"" + keys.repeated + "\" is given twice in one object; it must be given once");

@@ -89,7 +89,7 @@ TEST_CASE("Tsuji: the restitution is that of a linear oscillator in overlap^(5/4
   }
 }
 
-TEST_CASE("Tsuji: an overdamped overlap never returns to zero; its force still ends") {
+TEST_CASE("Tsuji: an overdamped overlap never returns to zero but its force still ends") {
   const Tsuji law(1, 1.05 * std::sqrt(5.0));
   CHECK(collide(law, {1, 1}, {ContactEnd::overlap}).status == CollisionStatus::no_separation);
   CHECK(collide(law, {1, 1}, {ContactEnd::force}).status == CollisionStatus::ended_by_force);

@@ -58,6 +58,7 @@ TEST_CASE("every mistake in a scene is one line that says where, what, and what 
   CHECK(complaint(good) == "accepted");
   CHECK(complaint(good + "}") == "s.json:14:2: no JSON: must be one object as docs/scenes.md describes");
   CHECK(complaint(with("0.01,", "0.01,,")).rfind("s.json:2:20: no JSON", 0) == 0);
+  CHECK(complaint(with("0.01,", "1e999,")) == "s.json:2:15: 1e999: must be at most 1.8e308 in size");
   CHECK(complaint(with("\"walls\"", "\"wals\"")).rfind("s.json: /: unknown key \"wals\"; known are schema,", 0) == 0);
   CHECK(complaint(with("\"walls\"", "\"duration\"")) == "s.json: key \"duration\" is given twice in one object; it must be given once");
   CHECK(complaint(with("\"radius\": 0.01", "\"radius\": -0.01")) == "s.json: /spheres/0/radius = -0.01: must be a number > 0");

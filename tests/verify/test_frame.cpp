@@ -100,7 +100,7 @@ TEST_CASE("a failed gate is exit code 1, with the output") {
 
 TEST_CASE("CSV carries the data alone") { CHECK(run({"toy", "--format", "csv"}).out == "x [m],thorough\n0.5,false\n"); }
 
-TEST_CASE("an unknown study, or none, is bad input; a broken one failed") {
+TEST_CASE("an unknown study, or none, is bad input and a broken one failed") {
   CHECK(run({"none"}).code == 2);
   CHECK(run({}).code == 2);
   const Ran broken = run({"toy", "--x", "101"});

@@ -25,7 +25,8 @@ Collision integrate(const Law& law, const Impact& impact, const CollideOptions& 
 Collision integrate(const Hysteretic& law, const Impact& impact, const CollideOptions& options) {
   const double unit = std::sqrt(impact.mass_eff / law.k1());
   const double stiffening = law.k2() / law.k1();
-  if (!std::isfinite(stiffening)) return {.status = CollisionStatus::out_of_range};
+  // Past this, ζ − ζ₀ has lost the digits that the unloading force is made of.
+  if (!(stiffening <= 1e10)) return {.status = CollisionStatus::out_of_range};
   return motion::in_units(motion::follow_hysteretic(stiffening, options), impact, unit);
 }
 

@@ -30,7 +30,8 @@ enum class CollisionStatus {
   ended_by_overlap,  ///< the overlap returned to zero (24)
   no_separation,     ///< the asked end does not exist (26): overdamped overlap, α ≥ 1, …
   budget_spent,      ///< max_evaluations reached before the end
-  out_of_range       ///< a scale of the collision (time, length, force, damping group) is no normal double
+  out_of_range       ///< a scale of the collision (time, length, force, damping group) is no normal double; hysteretic,
+                     ///< numerical: k₂/k₁ > 1e10
 };
 
 /// What a collision did. Times count from the first touch t_b. After any other status than the two ends tcol, en and
