@@ -40,7 +40,7 @@ double MemoryKernel::operator()(double t) const noexcept {
 
 MemoryKernel memory_kernel(double alpha, double shortest, double longest, double tolerance) {
   detail::require(alpha >= 0 && alpha <= 1, "alpha", alpha, "between 0 and 1");
-  detail::require_positive("shortest", shortest);
+  detail::require(shortest >= 1e-200 && shortest <= 1e200, "shortest", shortest, "between 1e-200 and 1e200");
   detail::require(longest >= shortest && longest <= 1e6 * shortest, "longest", longest,
                   "between shortest and 1e6 times shortest");
   detail::require(tolerance >= 1e-12 && tolerance <= 0.1, "tolerance", tolerance, "between 1e-12 and 0.1");
