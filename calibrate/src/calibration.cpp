@@ -16,13 +16,7 @@ void require_ordinary(const char* name, double value) {
   require(value >= 1e-30 && value <= 1e30, name, value, "in [1e-30, 1e30]");
 }
 
-void require_request(const Request& request, const Settings& settings) {
-  const auto& [tcol, en, impact] = request.target;
-  require_ordinary("tcol", tcol);
-  require(en > 0 && en <= 1, "en", en, "in (0, 1]");
-  require_ordinary("velocity", impact.velocity);
-  require_ordinary("mass_eff", impact.mass_eff);
-  if (request.stiffness) require_ordinary("stiffness", *request.stiffness);
+void require_settings(const Settings& settings) {
   require(settings.tolerance >= 1e-11 && settings.tolerance <= 0.1, "tolerance", settings.tolerance, "in [1e-11, 0.1]");
   const auto& known = algorithms();
   if (std::find(known.begin(), known.end(), settings.algorithm) == known.end()) {
@@ -30,10 +24,6 @@ void require_request(const Request& request, const Settings& settings) {
     for (const auto& name : known) list += (list.empty() ? "" : ", ") + name;
     throw std::invalid_argument("algorithm = " + settings.algorithm + ": must be one of " + list);
   }
-  if (!offers(request.law, request.end))
-    throw std::invalid_argument("end = " + std::string(text(request.end)) + ": must be " +
-                                (request.end == ContactEnd::force ? "overlap" : "force") + " for the law " +
-                                std::string(text(request.law)));
 }
 
 /// k of the linear law that hits the target by force, what the paper gives the fractional law to hold.
@@ -127,8 +117,33 @@ Calibration checked(const Request& request, const Settings& settings, const AnyL
 
 }  // namespace
 
+void require_request(const Request& request) {
+  const auto& [tcol, en, impact] = request.target;
+  require_ordinary("tcol", tcol);
+  require(en > 0 && en <= 1, "en", en, "in (0, 1]");
+  require_ordinary("velocity", impact.velocity);
+  require_ordinary("mass_eff", impact.mass_eff);
+  if (request.stiffness) require_ordinary("stiffness", *request.stiffness);
+  if (!offers(request.law, request.end))
+    throw std::invalid_argument("end = " + std::string(text(request.end)) + ": must be " +
+                                (request.end == ContactEnd::force ? "overlap" : "force") + " for the law " +
+                                std::string(text(request.law)));
+}
+
+std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance) {
+  const auto direct = reduced(request, request.target.en, tolerance);
+  if (!direct) return out_of_reach(request, tolerance);
+  const AnyLaw scaled = scaled_law(request.law, direct->x);
+  const double held = request.law == LawName::fractional ? held_stiffness(request) : 0;
+  const auto law = in_si(scaled, request.target, held);
+  if (!law || !fits(request, scaled, held, tolerance))
+    return unfit_stiffness(request, std::get<Fractional>(scaled), held);
+  return *law;
+}
+
 Outcome calibrate(const Request& request, const Settings& settings) {
-  require_request(request, settings);
+  require_request(request);
+  require_settings(settings);
   const double en = request.target.en;
   const auto direct = reduced(request, en, settings.tolerance);
   if (!direct) return out_of_reach(request, settings.tolerance);

@@ -25,4 +25,10 @@ inline Collision unit_collision(LawName law, const Coordinates& x, ContactEnd en
   return collide(scaled_law(law, x), {1, 1}, {end});
 }
 
+/// Throws std::invalid_argument for a target or stiffness outside its domain and for an end that the law does not offer.
+void require_request(const Request& request);
+
+/// The law by the direct reduction alone, where the numerical collision confirms it; the request is a valid one.
+std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance);
+
 }  // namespace ricochet::calibration

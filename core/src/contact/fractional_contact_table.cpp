@@ -1,8 +1,7 @@
 #include <ricochet/contact/fractional_contact.hpp>
 #include <ricochet/contact/fractional_contact_table.hpp>
+#include <ricochet/detail/panel.hpp>
 #include <ricochet/detail/require.hpp>
-
-#include "../fractional/panel.hpp"
 
 #include <algorithm>
 #include <cmath>

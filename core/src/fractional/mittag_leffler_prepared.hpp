@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mittag_leffler_integral.hpp"
-#include "panel.hpp"
+#include <ricochet/detail/panel.hpp>
 
 #include <array>
 #include <memory>
