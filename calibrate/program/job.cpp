@@ -99,7 +99,7 @@ Target target_of(const Options& o, Job& job) {
 
 std::vector<LawName> laws_of(const Options& o) {
   if (o.law == "all") return {all_laws.begin(), all_laws.end()};
-  return {*std::find_if(all_laws.begin(), all_laws.end(), [&](LawName law) { return text(law) == o.law; })};
+  return {law_named("--law", o.law)};
 }
 
 /// The asked ends that `law` offers.
@@ -114,6 +114,35 @@ std::vector<ContactEnd> ends_of(const Options& o, LawName law) {
 }
 
 }  // namespace
+
+LawName law_named(std::string_view flag, std::string_view name) {
+  const auto law = std::find_if(all_laws.begin(), all_laws.end(), [&](LawName l) { return text(l) == name; });
+  if (law == all_laws.end()) throw BadInput(flag, shown(name), "linear, kuwabara-kono, tsuji, hysteretic or fractional");
+  return *law;
+}
+
+ContactEnd end_named(std::string_view flag, std::string_view name) {
+  if (name == text(ContactEnd::force)) return ContactEnd::force;
+  if (name == text(ContactEnd::overlap)) return ContactEnd::overlap;
+  throw BadInput(flag, shown(name), "overlap or force");
+}
+
+std::string shown(std::string_view text) {
+  std::string line(text.substr(0, 60));
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return line.empty() ? "nothing" : line;
+}
+
+TargetDefaults target_defaults(const Options& o) {
+  TargetDefaults defaults;
+  Job unused;
+  if (!o.law.empty()) defaults.law = law_named("--law", o.law);
+  if (!o.end.empty()) defaults.end = end_named("--end", o.end);
+  defaults.impact = {positive("--velocity", o.velocity.value_or(default_velocity)), mass_eff(o, unused)};
+  if (o.stiffness) defaults.stiffness = positive("--stiffness", *o.stiffness);
+  return defaults;
+}
 
 Job job_of(const Options& o) {
   Job job;

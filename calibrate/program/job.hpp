@@ -17,9 +17,12 @@ namespace ricochet::calibration {
 struct Options {
   std::optional<double> tcol, en, velocity, mass_eff, radius, density, radius2, density2, stiffness;
   bool wall = false;
-  std::string law = "all", end;
+  std::string law, end;  ///< empty: not given
   Settings settings;
-  std::string method = "nlopt";
+  std::string method;  ///< empty: not given
+  std::string targets;               ///< the file of --targets; empty: none
+  std::optional<unsigned> threads;
+  bool format_given = false;
   std::string engine;  ///< of --export; empty: none
   std::string page;    ///< of --report; empty: none
   console::OutputOptions output;
@@ -40,5 +43,22 @@ struct Job {
 
 /// Throws console::BadInput naming flag, value and what is accepted.
 Job job_of(const Options& options);
+
+/// What a row of a file takes where it has no such column, or the field is empty.
+struct TargetDefaults {
+  LawName law = LawName::fractional;
+  ContactEnd end = ContactEnd::force;
+  Impact impact;
+  std::optional<double> stiffness = {};
+};
+
+/// Throws as job_of does.
+TargetDefaults target_defaults(const Options& options);
+
+/// The law of that name; throws console::BadInput with `flag`.
+LawName law_named(std::string_view flag, std::string_view name);
+ContactEnd end_named(std::string_view flag, std::string_view name);
+/// A piece of somebody's file, fit for a message of one line.
+std::string shown(std::string_view text);
 
 }  // namespace ricochet::calibration

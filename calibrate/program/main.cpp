@@ -1,4 +1,5 @@
 #include "report.hpp"
+#include "targets.hpp"
 
 #include <console/exit.hpp>
 #include <console/output.hpp>
@@ -15,7 +16,10 @@ std::string lone_failure(const Infeasible& missed) {
 }
 
 console::Exit work(Options& options) {
-  options.settings.method = options.method == "nlopt" ? Method::nlopt : Method::direct;
+  if (!options.targets.empty()) return run_targets(options);
+  if (options.threads) throw console::BadInput("--threads", std::to_string(*options.threads), "left out without --targets");
+  if (options.law.empty()) options.law = "all";
+  options.settings.method = options.method == "direct" ? Method::direct : Method::nlopt;
   const Report report = run(job_of(options), options.settings);
   if (!options.page.empty()) console::write_atomically(options.page, page_of(report));
   console::emit(options.output.file, options.engine.empty() ? render(report, options.output.format)
@@ -33,5 +37,8 @@ int main(int argc, char** argv) {
   console::add_version(app);
   Options options;
   add_options(app, options);
-  return console::run_program(app, argc, argv, [&] { return work(options); });
+  return console::run_program(app, argc, argv, [&] {
+    options.format_given = app.count("--format") > 0;
+    return work(options);
+  });
 }

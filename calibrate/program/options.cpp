@@ -1,8 +1,11 @@
 #include "job.hpp"
 
+#include <console/number.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ricochet::calibration {
 namespace {
@@ -46,6 +49,18 @@ void add_options(CLI::App& app, Options& o) {
   add_choice(app, "--method", o.method, {"nlopt", "direct"}, "method of the answer; the other one cross-checks it");
   add_choice(app, "--algorithm", o.settings.algorithm, algorithms(), "NLopt's algorithm (default LN_BOBYQA)");
   add_number(app, "--tolerance", o.settings.tolerance, "relative, in tcol and en (default 1e-10)");
+  app.add_option("--targets", o.targets,
+                 "calibrate every row of a CSV file instead: columns tcol, en and any of velocity, mass_eff, law, end, "
+                 "stiffness; directly, on all cores")
+      ->type_name("FILE");
+  const auto read_threads = [&o](const std::string& value) {
+    const auto number = console::parse_number(value);
+    if (!number || *number < 1 || *number > 1024 || *number != std::floor(*number))
+      throw CLI::ValidationError("--threads = " + value + ": must be a whole number from 1 to 1024");
+    o.threads = static_cast<unsigned>(*number);
+  };
+  app.add_option_function<std::string>("--threads", read_threads, "threads of --targets (default: all cores)")
+      ->type_name("NUMBER");
   add_choice(app, "--export", o.engine, {"liggghts", "lammps", "yade", "mercurydpm", "mfix"},
              "write the laws in an engine's own language instead");
   app.add_option("--report", o.page, "also write a page with curves, sensitivities, time steps and export snippets")

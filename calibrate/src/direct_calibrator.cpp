@@ -34,13 +34,16 @@ class Lazy {
   std::optional<T> value_;
 };
 
+/// −ln e_n, and 0 (not −0) of 1.
+double loss_of(double en) { return 0 - std::log(en); }
+
 AnyLaw linear_by_overlap(const Target& t) {
-  const double loss = -std::log(t.en), unit = t.impact.mass_eff / t.tcol;
+  const double loss = loss_of(t.en), unit = t.impact.mass_eff / t.tcol;
   return Linear((pi * pi + loss * loss) * unit / t.tcol, 2 * loss * unit);
 }
 
 AnyLaw linear_by_force(const Target& t, const ReductionTable& table) {
-  const double loss = -std::log(t.en), unit = t.impact.mass_eff / t.tcol;
+  const double loss = loss_of(t.en), unit = t.impact.mass_eff / t.tcol;
   return Linear(table.stiffness(loss) * unit / t.tcol, 2 * loss * unit);
 }
 
@@ -51,13 +54,13 @@ AnyLaw hysteretic(const Target& t) {
 }
 
 AnyLaw kuwabara_kono(const Target& t, const ReductionTable& table) {
-  const double loss = -std::log(t.en);
+  const double loss = loss_of(t.en);
   const double unit = t.impact.mass_eff / (std::sqrt(t.impact.velocity) * t.tcol * std::sqrt(t.tcol));
   return KuwabaraKono(table.stiffness(loss) * unit / t.tcol, table.damping(loss) * unit);
 }
 
 AnyLaw tsuji(const Target& t, const ReductionTable& table) {
-  const double loss = -std::log(t.en);
+  const double loss = loss_of(t.en);
   const double root = std::sqrt(t.impact.velocity * t.tcol);  // (v₀ t)^{1/2}
   const double unit = t.impact.mass_eff / t.tcol;
   return Tsuji(table.stiffness(loss) * unit / (root * t.tcol), table.damping(loss) * unit / std::sqrt(root));
@@ -75,7 +78,7 @@ struct DirectCalibrator::Tables {
   std::optional<AnyLaw> fractional_law(const Request& request) {
     const Target& t = request.target;
     const double unit = t.impact.mass_eff / (t.tcol * t.tcol);
-    const double held = request.stiffness ? *request.stiffness : linear_by_force().stiffness(-std::log(t.en)) * unit;
+    const double held = request.stiffness ? *request.stiffness : linear_by_force().stiffness(loss_of(t.en)) * unit;
     if (t.en == 1 && !request.stiffness) return Fractional(held, std::sqrt(held * t.impact.mass_eff), 0);
     if (t.en == 1) return std::nullopt;
     const auto contact = fractional()(t.en);

@@ -9,7 +9,7 @@ namespace ricochet::console {
 /// The exit codes that all programs promise.
 enum class Exit : int {
   done = 0,
-  gate_failed = 1,  ///< a verification gate failed
+  gate_failed = 1,  ///< a verification gate failed, or a row of many
   bad_input = 2,    ///< the user gave something unusable; one line on stderr says what is accepted
   unreachable = 3,  ///< the target lies outside what the law can reach
   failed = 4,       ///< the computation, or writing its result, failed

@@ -1,0 +1,142 @@
+#include "targets.hpp"
+
+#include "target_rows.hpp"
+
+#include <console/number.hpp>
+#include <console/output.hpp>
+#include <console/progress.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <memory>
+#include <thread>
+
+namespace ricochet::calibration {
+namespace {
+
+using console::AtomicFile;
+using console::BadInput;
+using console::LineBlocks;
+
+/// Where the rows go: the file, whole or not at all, or stdout as they come.
+class Sink {
+ public:
+  explicit Sink(const std::string& path) : file_(path.empty() ? nullptr : std::make_unique<AtomicFile>(path)) {}
+  void write(std::string_view bytes) { file_ ? file_->write(bytes) : console::write_stdout(bytes); }
+  void commit() {
+    if (file_) file_->commit();
+  }
+
+ private:
+  std::unique_ptr<AtomicFile> file_;
+};
+
+/// Takes the lines up to and including the header from the first block.
+std::string take_header(LineBlocks& source, LineBlocks::Block& block, const std::string& file, std::size_t& line_number) {
+  while (source.next(block)) {
+    std::string_view text = block.text;
+    if (block.first_line == 1 && text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    for (line_number = block.first_line; !text.empty(); ++line_number) {
+      const std::string line(console::take_line(text));
+      if (console::is_csv_remark(line)) continue;
+      block.text = std::string(text);
+      block.first_line = line_number + 1;
+      return line;
+    }
+  }
+  throw BadInput(file + ":1: header missing: must be a row of the columns tcol and en, and others");
+}
+
+/// Answers the blocks on `threads` threads; which takes which does not show in the answers.
+std::vector<Answers> answered(const TargetRows& rows, const std::vector<LineBlocks::Block>& blocks, unsigned threads) {
+  std::vector<Answers> answers(blocks.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = 0; (i = next.fetch_add(1)) < blocks.size();) {
+      try {
+        answers[i] = rows.answer(blocks[i]);
+      } catch (...) {
+        answers[i].broken = std::current_exception();
+      }
+    }
+  };
+  std::vector<std::jthread> others;
+  for (unsigned t = 1; t < std::min<std::size_t>(threads, blocks.size()); ++t) others.emplace_back(work);
+  work();
+  others.clear();
+  for (const Answers& a : answers)
+    if (a.broken) std::rethrow_exception(a.broken);
+  return answers;
+}
+
+/// Says what is wrong with a row, until it has been said of many.
+class Complaints {
+ public:
+  void add(const Answers& answers) {
+    for (const auto& line : answers.complaints) {
+      if (said_ == TargetRows::most_complaints) break;
+      ++said_;
+      console::complain("calibrate", line);
+    }
+    failed_ += answers.failed;
+  }
+  std::size_t finish() const {
+    if (failed_ > said_)
+      console::complain("calibrate", std::to_string(failed_ - said_) + " more rows failed; see the column status");
+    return failed_;
+  }
+
+ private:
+  std::size_t said_ = 0, failed_ = 0;
+};
+
+void refuse_what_is_not_for_files(const Options& o) {
+  const auto refuse = [](const char* flag, const std::string& value) {
+    throw BadInput(flag, value, "left out with --targets");
+  };
+  if (o.tcol) refuse("--tcol", console::shortest(*o.tcol));
+  if (o.en) refuse("--en", console::shortest(*o.en));
+  if (!o.engine.empty()) refuse("--export", o.engine);
+  if (o.method == "nlopt") throw BadInput("--method", o.method, "direct with --targets");
+  if (o.end == "both") throw BadInput("--end", o.end, "overlap or force with --targets: one row out per row in");
+  if (o.law == "all") throw BadInput("--law", o.law, "a single law with --targets: one row out per row in");
+  if (o.format_given && o.output.format != console::Format::csv)
+    throw BadInput("--format: must be csv with --targets, whose rows are written as they are read");
+}
+
+}  // namespace
+
+console::Exit run_targets(const Options& options) {
+  refuse_what_is_not_for_files(options);
+  const TargetDefaults defaults = target_defaults(options);
+  const unsigned threads = options.threads ? *options.threads : std::max(1u, std::thread::hardware_concurrency());
+  LineBlocks source(options.targets);
+  std::vector<LineBlocks::Block> blocks(1);
+  std::size_t line = 1;
+  const std::string header = take_header(source, blocks[0], options.targets, line);
+  const TargetRows rows(options.targets, line, header, defaults);
+  Sink sink(options.output.file);
+  sink.write(rows.header());
+  console::Progress progress("calibrate", source.size());
+  Complaints complaints;
+  // Rounds of a few blocks a thread: reading and writing take a small share of the time that the rows do.
+  const std::size_t round = 4 * threads;
+  for (bool more = true; more;) {
+    while (more && blocks.size() < round) {
+      LineBlocks::Block block;
+      if ((more = source.next(block))) blocks.push_back(std::move(block));
+    }
+    const auto answers = answered(rows, blocks, threads);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      sink.write(answers[i].text);
+      complaints.add(answers[i]);
+      progress.advance(blocks[i].text.size());
+    }
+    blocks.clear();
+  }
+  sink.commit();
+  return complaints.finish() ? console::Exit::gate_failed : console::Exit::done;
+}
+
+}  // namespace ricochet::calibration

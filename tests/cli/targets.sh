@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# targets.sh CALIBRATE: many rows, on one and on two threads, in bounded memory; nothing left of what is interrupted.
+set -euo pipefail
+calibrate=$(realpath "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+fail() { echo "targets.sh: $*" >&2; exit 1; }
+
+# 150 000 rows of all laws and ends, some of them bad: several blocks a thread.
+LC_ALL=C awk 'BEGIN {
+  split("linear kuwabara-kono tsuji hysteretic fractional", law)
+  print "law,en,tcol,velocity"
+  for (i = 0; i < 150000; ++i)
+    printf "%s,%.7g,%.7g,%.5g\n", law[i % 5 + 1], i % 20000 == 7 ? 2 : 0.01 + 0.98 * (i * 7919 % 100003) / 100003, 1e-6 * (1 + i % 1000), 0.1 + i % 9
+}' >rows.csv
+
+# 300 MB of address space hold the program, its threads and a few blocks: not the answers to a file of any size.
+code=0
+# (A sanitizer reserves terabytes of it for itself.)
+grep -qE '__[at]san_init' "$calibrate" && room=unlimited || room=300000
+(ulimit -v $room; "$calibrate" --targets rows.csv --threads 2 -o two.csv 2>two.err) || code=$?
+[[ $code == 1 ]] || fail "exit code $code with bad rows"
+"$calibrate" --targets rows.csv --threads 1 >one.csv 2>one.err && fail "bad rows went unnoticed"
+cmp one.csv two.csv
+cmp one.err two.err
+[[ $(wc -l <one.csv) == 150001 ]] || fail "rows are missing"
+[[ $(wc -l <one.err) == 8 ]] || fail "complaints: $(wc -l <one.err)"
+[[ $(head -1 one.err) == 'calibrate: rows.csv:9: en = 2: must be in (0, 1]' ]] || fail "$(head -1 one.err)"
+# In order: the velocity of every answer is that of its row.
+cmp <(cut -d, -f4 rows.csv | tail -n +2) <(cut -d, -f3 one.csv | tail -n +2)
+
+# A decimal comma in the locale changes nothing.
+LC_ALL=de_DE.UTF-8 "$calibrate" --targets rows.csv 2>/dev/null | cmp - one.csv
+
+# What is interrupted leaves the file that was there.
+echo before >kept.csv
+mkfifo slow
+(head -3 rows.csv; sleep 20) >slow 2>/dev/null & feeder=$!
+"$calibrate" --targets slow -o kept.csv & job=$!
+sleep 0.3
+kill -TERM "$job"
+code=0
+wait "$job" || code=$?
+kill "$feeder" 2>/dev/null || true
+[[ $code == 143 ]] || fail "exit code $code after SIGTERM"
+[[ $(cat kept.csv) == before ]] || fail "an interrupted run changed the file"
+[[ -z $(find . -name '*kept.csv?*' -o -name '.*kept*') ]] || fail "an interrupted run left a temporary file: $(ls -A)"
