@@ -31,7 +31,7 @@ cmp one.err two.err
 cmp <(cut -d, -f4 rows.csv | tail -n +2) <(cut -d, -f3 one.csv | tail -n +2)
 
 # A decimal comma in the locale changes nothing.
-LC_ALL=de_DE.UTF-8 "$calibrate" --targets rows.csv 2>/dev/null | cmp - one.csv
+{ LC_ALL=de_DE.UTF-8 "$calibrate" --targets rows.csv 2>/dev/null || true; } | cmp - one.csv
 
 # What is interrupted leaves the file that was there.
 echo before >kept.csv
