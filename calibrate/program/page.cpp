@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace ricochet::calibration {
 namespace {
@@ -131,7 +132,8 @@ console::Figure step_figure(const std::vector<Stepping>& all) {
   });
   figure.finding = "With " + std::to_string(worst->errors[5].steps) + " steps a collision the error is " +
                    console::significant(100 * worst->errors[5].error, 2) + " % at worst (" + worst->title +
-                   "); it falls in proportion to the step.";
+                   "); from 100 to 1000 steps it falls like the step to the power " +
+                   console::fixed(std::log10(worst->errors[9].error / worst->errors[15].error), 2) + ".";
   return figure;
 }
 

@@ -51,7 +51,7 @@ async function check_pictures(page) {
 
 /// Everything that can be focused comes in the order of the page, and the focus never gets stuck.
 async function check_keyboard(page) {
-  const stops = Math.min(60, await page.$$eval('a[href],button:not([hidden]),summary,[tabindex="0"]', all => all.length));
+  const stops = Math.min(60, await page.$$eval('a[href],button:not([hidden]),summary,[tabindex="0"]', all => all.filter(e => e.checkVisibility()).length));
   let last = -1;
   for (let i = 0; i < stops; ++i) {
     await page.keyboard.press('Tab');

@@ -140,8 +140,8 @@ std::string html_figure(const Figure& figure, const std::string& svg, const std:
 
 std::string html_code(std::string_view id, std::string_view label, std::string_view text) {
   const std::string name(id), said = escaped(label);
-  return "<div class=\"code\"><div class=\"bar\"><span>" + said + "</span><button type=\"button\" hidden data-copy=\"" + name +
-         "\" aria-label=\"Copy " + said + "\" aria-live=\"polite\">Copy</button></div><pre tabindex=\"0\" role=\"region\" aria-label=\"" +
+  return "<div class=\"code\"><div class=\"bar\"><span>" + said + "</span><span><span class=\"soft\" role=\"status\"></span> <button type=\"button\" hidden data-copy=\"" + name +
+         "\" aria-label=\"Copy " + said + "\">Copy</button></span></div><pre tabindex=\"0\" role=\"region\" aria-label=\"" +
          said + "\"><code id=\"" + name + "\">" + escaped(text) + "</code></pre></div>\n";
 }
 

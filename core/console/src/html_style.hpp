@@ -69,13 +69,13 @@ html{font-size:10pt}.skip,button,nav{display:none}figure,tr{break-inside:avoid}h
 /// Without it, or without permission to use the clipboard, the text is selected and can be copied by hand.
 inline constexpr const char* page_script = R"js(
 for(const button of document.querySelectorAll('button[data-copy]')){
-  const said=button.textContent;
+  const status=button.previousElementSibling;
   button.hidden=false;
   button.addEventListener('click',async()=>{
     const code=document.getElementById(button.dataset.copy);
-    try{await navigator.clipboard.writeText(code.textContent);button.textContent='Copied'}
-    catch{getSelection().selectAllChildren(code);button.textContent='Selected: press Ctrl+C'}
-    setTimeout(()=>{button.textContent=said},2500);
+    try{await navigator.clipboard.writeText(code.textContent);status.textContent='Copied'}
+    catch{getSelection().selectAllChildren(code);status.textContent='Selected: press Ctrl+C'}
+    setTimeout(()=>{status.textContent=''},2500);
   });
 }
 )js";
