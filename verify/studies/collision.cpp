@@ -60,7 +60,7 @@ console::Figure work_figure(const std::vector<SolverConvergence>& all) {
   std::string csv = "scheme,N,multiplications,error of e_n\n";
   std::string script =
       "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset xlabel 'multiplications a collision'\n"
-      "set ylabel 'relative error of e_n'\nset key outside right top\nset grid\nset xrange [10:2e7]\n"
+      "set ylabel 'relative error of e_n'\nset key outside right top\nset xrange [10:2e7]\n"
       "set yrange [1e-15:2]\n";
   std::string plot;
   int block = 0;
@@ -73,10 +73,10 @@ console::Figure work_figure(const std::vector<SolverConvergence>& all) {
     }
     const std::string at = "'collision-work.csv' index " + std::to_string(block) + (block == 0 ? " skip 1" : "");
     const std::string style = " pt " + std::to_string(block + 4) + " lc " + std::to_string(block + 1);
-    plot += (block == 0 ? "plot " : ", \\\n  ") + at + " using 3:4 with linespoints lw 2" + style + " title '" +
+    plot += (block == 0 ? "plot " : ", \\\n  ") + at + " using 3:4 with linespoints lw 2 ps 0.8" + style + " title '" +
             std::string(name(s.scheme)) + "'";
     plot += ", \\\n  " + at + " using 3:($2 == " + std::to_string(paper_steps) + " && " + std::to_string(block) +
-            " < 5 ? $4 : NaN) with points pt 6 ps 2.5 lc 'black' " +
+            " < 5 ? $4 : NaN) with points pt 6 ps 2 lc rgb 'black' " +
             (block == 0 ? "title 'N = 30, the choice of the paper'" : "notitle");
     ++block;
   }
@@ -106,6 +106,19 @@ double error_at_paper_steps(const SolverConvergence& s) {
   return at == s.en.steps.end() ? std::nan("") : s.en.errors[static_cast<std::size_t>(at - s.en.steps.begin())];
 }
 
+/// The least error that each solver reaches with ten thousand multiplications.
+std::string work_finding(const std::vector<SolverConvergence>& all) {
+  std::string text = "For at most ten thousand multiplications a collision the least errors of e_n are";
+  for (const SolverConvergence& s : all) {
+    double least = 1;
+    for (std::size_t i = 0; i < s.en.steps.size(); ++i)
+      if (s.multiplications[i] <= 1e4) least = std::min(least, s.en.errors[i]);
+    if (least < 1) text += " " + console::scientific(least, 0) + " (" + std::string(name(s.scheme)) + "),";
+  }
+  text.back() = '.';
+  return text;
+}
+
 class CollisionStudy : public Study {
  public:
   std::string name() const override { return "collision"; }
@@ -131,6 +144,7 @@ class CollisionStudy : public Study {
     result.gates = to_gates(all);
     result.gates.push_back(collocation_gate());
     result.figures.push_back(work_figure(work));
+    result.figures.back().finding = work_finding(work);
     result.verdict = "At alpha = " + console::shortest(drawn_alpha) + " thirty steps give e_n with a relative error of";
     for (const SolverConvergence& s : work)
       if (const double e = error_at_paper_steps(s); std::isfinite(e)) {

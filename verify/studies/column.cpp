@@ -134,6 +134,17 @@ std::string verdict(const Figure6& figure, const ConversionFit& fit) {
          " of the hysteretic law.";
 }
 
+std::string share_finding(const Figure6& figure) {
+  const std::size_t last = figure.beads.back();
+  const auto text = [&](const std::string& id) {
+    const auto& share = figure.curve(id).share.back();
+    return share ? console::fixed(*share, 2) : std::string("an unknown share");
+  };
+  return "With " + std::to_string(last) + " beads single collisions (event-driven) would take " + text("event-driven") +
+         " of the energy, the hysteretic law takes " + text("hysteretic") + ", linear1 " + text("linear1") +
+         ", the fractional law with constant α " + text("fractional") + "; with α(nc) it takes " + text("fractional alpha(nc)") + ".";
+}
+
 Json rows(const Figure6& figure, const ColumnCase& c) {
   Json all = Json::array();
   for (const ShareCurve& curve : figure.curves)
@@ -143,6 +154,14 @@ Json rows(const Figure6& figure, const ColumnCase& c) {
                      {"share", value ? Json(*value) : Json()}, {"energy_ratio", value ? Json(1 - *value) : Json()}});
     }
   return all;
+}
+
+/// Least or greatest share at the first abscissa, the event-driven column left out.
+double extreme(const std::vector<ShareCurve>& curves, bool greatest) {
+  double found = *curves[1].share.front();
+  for (std::size_t i = 2; i < curves.size(); ++i)
+    found = greatest ? std::max(found, *curves[i].share.front()) : std::min(found, *curves[i].share.front());
+  return found;
 }
 
 class ColumnStudy : public Study {
@@ -223,6 +242,7 @@ class ColumnStudy : public Study {
     shares.note("-: the event-driven column collapses (infinitely many collisions in a finite time); alpha(nc) is not fitted there.");
     result.tables = {std::move(shares), fit_table(fit)};
     result.figures = {share_figure(beads, figure.curves)};
+    result.figures[0].finding = share_finding(figure);
     if (as_printed() && most == 20) {
       add_gap_dependence(result);
       ColumnProofs proofs = column_proofs();
@@ -263,6 +283,11 @@ class ColumnStudy : public Study {
     }
     result.tables.push_back(share_table("gap", "m", gaps, curves, "Dissipated share (62) of 10 beads against the gap"));
     result.figures.push_back(gap_figure(beads, gaps, curves));
+    const auto hard = curves[0].share.back();
+    result.figures.back().finding =
+        "At the widest gap every law takes what single collisions take" + (hard ? ", " + console::fixed(*hard, 2) : std::string()) +
+        "; at the narrowest they take between " + console::fixed(extreme(curves, false), 2) + " and " +
+        console::fixed(extreme(curves, true), 2) + ".";
   }
 
   std::optional<int> beads_;

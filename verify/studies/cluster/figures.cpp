@@ -14,7 +14,9 @@ using console::DataFile;
 using console::Figure;
 using console::shortest;
 
-constexpr const char* colours[] = {"#1b4f9c", "#c0392b", "#2e8b57", "#8e44ad", "#d68910"};
+// One a sphere, and in the other figures strong and weak repulsion.
+namespace palette = console::palette;
+constexpr const char* colours[] = {palette::blue, palette::vermilion, palette::green, palette::purple, palette::orange};
 
 void add(std::string& row, Vec3 v) {
   for (double c : {v.x, v.y, v.z}) row += "," + shortest(c);
@@ -50,20 +52,39 @@ DataFile circles(const Run& run) {
 
 std::string pair_name(const Encounter& e) { return std::to_string(e.i + 1) + "-" + std::to_string(e.j + 1); }
 
+/// How far the sphere that travels farthest gets, in words.
+std::string farthest(const Run& run) {
+  double most = 0;
+  std::size_t sphere = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Vec3 way = run.samples.back().position[i] - run.samples.front().position[i];
+    const double length = std::hypot(way.x, way.y, way.z);
+    if (length > most) most = length, sphere = i + 1;
+  }
+  return "sphere " + std::to_string(sphere) + " goes farthest, " + console::significant(100 * most, 3) + " cm,";
+}
+
+/// |v| of sphere 1 at the end, in words.
+std::string last_speed(const Run& run) {
+  const Vec3 v = run.samples.back().velocity[0];
+  return console::significant(std::hypot(v.x, v.y, v.z), 3) + " m/s";
+}
+
 }  // namespace
 
 Figure trajectories(const Run& strong, const Run& weak) {
   std::string script =
       "set multiplot layout 1,2 margins 0.10,0.98,0.13,0.91 spacing 0.08,0.1\nset size ratio -1\n"
-      "set xrange [0.0:0.2]\nset yrange [0.01:0.26]\nset xtics 0.04\nset ytics 0.04\nset grid lc rgb '#dddddd'\n"
+      "set xrange [0.0:0.2]\nset yrange [0.01:0.26]\nset xtics 0.04\nset ytics 0.04\n"
       "set xlabel 'y [m]'\nset key bottom right samplen 1.5\n";
   for (const auto& [title, file, z] : {std::tuple("strong repulsion, α = 0.01", "cluster-strong.csv", "set ylabel 'z [m]'\n"),
                                        std::tuple("weak repulsion, α = 0.97", "cluster-weak.csv", "unset ylabel\n")}) {
     script += std::string(z) + "set title '" + title + "'\nplot ";
-    script += "'cluster-start.csv' skip 1 using 1:2:3 with circles lc rgb '#bbbbbb' fs empty notitle";
+    script += "'cluster-start.csv' skip 1 using 1:2:3 with circles lc rgb '#767676' fs empty notitle";
+    script += ", \\\n  '' skip 1 using 1:2:4 with labels font ',12' tc rgb '#767676' notitle";
     for (int i = 1; i <= 5; ++i)
       script += ", \\\n  '" + std::string(file) + "' skip 1 using " + column(i, 1) + ":" + column(i, 2) +
-                " with lines lw 2 lc rgb '" + colours[i - 1] + "' title '" + std::to_string(i) + "'";
+                " with lines lw 2.2 lc rgb '" + colours[i - 1] + "' title 'sphere " + std::to_string(i) + "'";
     script += "\n";
   }
   return {.name = "cluster-trajectories",
@@ -71,11 +92,13 @@ Figure trajectories(const Run& strong, const Run& weak) {
           .script = script + "unset multiplot\n",
           .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), circles(strong)},
           .width = 900,
-          .height = 620};
+          .height = 620,
+          .finding = "Sphere 1 comes from above and drives the others apart: " + farthest(strong) + " under strong, " +
+                     farthest(weak) + " under weak repulsion."};
 }
 
 Figure velocities(const Run& strong, const Run& weak) {
-  std::string script = "set multiplot layout 2,1 margins 0.09,0.98,0.10,0.97 spacing 0.1,0.04\nset grid lc rgb '#dddddd'\n"
+  std::string script = "set multiplot layout 2,1 margins 0.09,0.98,0.10,0.97 spacing 0.1,0.04\n"
                        "set key right center samplen 2\n";
   const auto panel = [&](const char* unit, const char* names[3], int first) {
     script += "set ylabel '" + std::string(unit) + "'\nplot ";
@@ -96,7 +119,8 @@ Figure velocities(const Run& strong, const Run& weak) {
           .script = script + "unset multiplot\n",
           .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv")},
           .width = 800,
-          .height = 720};
+          .height = 720,
+          .finding = "Sphere 1 leaves at " + last_speed(strong) + " after strong and at " + last_speed(weak) + " after weak collisions."};
 }
 
 Figure sequence(const Run& strong, const Run& weak, double until) {
@@ -119,11 +143,14 @@ Figure sequence(const Run& strong, const Run& weak, double until) {
   return {.name = "cluster-sequence",
           .caption = "Fig. 9: when each pair collides, from the first touch to the first zero of the force.",
           .script = "set xlabel 't [ms]'\nset ylabel 'pair'\nset yrange [" + std::to_string(rows.size()) + "-0.4:-0.6]\n" +
-                    "set ytics (" + tics + ")\nset grid x lc rgb '#dddddd'\nset xrange [0:*]\nset key top right samplen 2\nplot " +
+                    "set ytics (" + tics + ")\nset grid x\nset xrange [0:*]\nset key top right samplen 2\nplot " +
                     line("0", colours[0], "strong, α = 0.01") + ", \\\n  " + line("1", colours[1], "weak, α = 0.97") + "\n",
           .data = {{"cluster-sequence.csv", csv}},
           .width = 800,
-          .height = 400};
+          .height = 400,
+          .finding = "Several pairs collide at once for " + console::fixed(100 * overlap(strong.collisions, until).shared, 0) +
+                     " % of the collision time under strong and " + console::fixed(100 * overlap(weak.collisions, until).shared, 0) +
+                     " % under weak repulsion."};
 }
 
 Figure binary(const std::vector<Run>& strong, const std::vector<Run>& weak, double until) {
@@ -136,13 +163,18 @@ Figure binary(const std::vector<Run>& strong, const std::vector<Run>& weak, doub
   return {.name = "cluster-binary",
           .caption = "Share of the collision time during which more than one pair collides, against the stiffness k.",
           .script = "set logscale x\nset xrange [500:2e7]\nset xlabel 'k [kg/s²]'\nset format x '10^{%T}'\n"
-                    "set ylabel 'collision time shared by several pairs [%]'\nset yrange [-3:100]\nset grid lc rgb '#dddddd'\n"
+                    "set ylabel 'collision time shared by several pairs [%]'\nset yrange [-3:100]\n"
                     "set key top right\nplot 'cluster-binary.csv' skip 1 using 1:(100*$2) with linespoints lw 2 pt 7 lc rgb '" +
                     std::string(colours[0]) + "' title 'strong, α = 0.01', '' skip 1 using 1:(100*$4) with linespoints lw 2 pt 5 lc rgb '" +
                     colours[1] + "' title 'weak, α = 0.97'\n",
           .data = {{"cluster-binary.csv", csv}},
           .width = 700,
-          .height = 430};
+          .height = 430,
+          .finding = "From the softest to the stiffest k the share falls from " +
+                     console::fixed(100 * overlap(strong.front().collisions, until).shared, 0) + " to " +
+                     console::fixed(100 * overlap(strong.back().collisions, until).shared, 0) + " % under strong and goes from " +
+                     console::fixed(100 * overlap(weak.front().collisions, until).shared, 0) + " to " +
+                     console::fixed(100 * overlap(weak.back().collisions, until).shared, 0) + " % under weak repulsion."};
 }
 
 }  // namespace ricochet::verify::cluster

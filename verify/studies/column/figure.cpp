@@ -41,9 +41,9 @@ std::string styled(const std::string& id) {
 
 std::string title(const std::string& id) {
   if (id == "kuwabara-kono") return "nonlinear (Kuwabara-Kono)";
-  if (id == "fractional") return "fractional, constant {/Symbol a}";
-  if (id == "fractional alpha=0.0258") return "fractional, {/Symbol a} = 0.0258";
-  if (id == "fractional alpha(nc)") return "fractional, {/Symbol a}(n_c)";
+  if (id == "fractional") return "fractional, constant α";
+  if (id == "fractional alpha=0.0258") return "fractional, α = 0.0258";
+  if (id == "fractional alpha(nc)") return "fractional, α(n_c)";
   return id;
 }
 
@@ -56,8 +56,7 @@ std::string plot(const std::string& file, const std::vector<ShareCurve>& curves)
 }
 
 constexpr const char* common =
-    "set ylabel 'dissipated share of the kinetic energy'\nset yrange [0:1]\nset grid lc rgb '#cccccc' lw 0.5\n"
-    "set border 3\nset tics nomirror\n";
+    "set ylabel 'dissipated share of the kinetic energy'\nset yrange [0:1]\n";
 
 }  // namespace
 
@@ -70,8 +69,8 @@ console::Figure share_figure(const std::vector<std::size_t>& beads, const std::v
                  : "set xrange [0:" + std::to_string(beads.back() + 1) + "]\n";
   // Left the whole range, right the laws that detach, drawn larger.
   const std::string drawn = plot("column-share.csv", curves);
-  script += "set multiplot\nunset key\nset size 0.40, 1\nset origin 0, 0\n" + drawn +
-            "set size 0.60, 1\nset origin 0.40, 0\nunset ylabel\nset yrange [0:0.25]\n"
+  script += "set multiplot\nunset key\nset size 0.40, 1\nset origin 0, 0\nset title 'all'\n" + drawn +
+            "set size 0.60, 1\nset origin 0.40, 0\nset title 'the same, enlarged'\nunset ylabel\nset yrange [0:0.25]\n"
             "set key outside right center reverse Left spacing 1.3\n" +
             drawn + "unset multiplot\n";
   return {.name = "column-share",
