@@ -68,7 +68,7 @@ console::Figure figure(const std::string& name, const std::string& caption, cons
   const std::string file = name + ".csv";
   std::string script = "set multiplot layout " + std::to_string(rows.size()) + "," + std::to_string(columns.size()) +
                        " margins " + (columns.size() == 1 ? "0.13" : "0.08") +
-                       ",0.96,0.07,0.95 spacing 0.08,0.075\nset key font ',12' samplen 1.5\nset xzeroaxis lt 1 lc rgb 'black' lw 0.6\nset title font ',15'\n";
+                       ",0.96,0.07,0.95 spacing 0.08,0.075\nset key font ',10' samplen 1.5 spacing 1\nset xzeroaxis lt 1 lc rgb 'black' lw 0.6\nset title font ',15'\n";
   for (std::size_t row = 0; row < rows.size(); ++row)
     for (std::size_t column = 0; column < columns.size(); ++column) {
       const Axes& axes = rows[row];

@@ -75,13 +75,13 @@ std::string last_speed(const Run& run) {
 Figure trajectories(const Run& strong, const Run& weak) {
   std::string script =
       "set multiplot layout 1,2 margins 0.10,0.98,0.13,0.91 spacing 0.08,0.1\nset size ratio -1\n"
-      "set xrange [0.0:0.2]\nset yrange [0.01:0.26]\nset xtics 0.04\nset ytics 0.04\n"
+      "set xrange [-0.01:0.2]\nset yrange [0:0.26]\nset xtics 0.04\nset ytics 0.04\n"
       "set xlabel 'y [m]'\nset key bottom right samplen 1.5\n";
   for (const auto& [title, file, z] : {std::tuple("strong repulsion, α = 0.01", "cluster-strong.csv", "set ylabel 'z [m]'\n"),
                                        std::tuple("weak repulsion, α = 0.97", "cluster-weak.csv", "unset ylabel\n")}) {
     script += std::string(z) + "set title '" + title + "'\nplot ";
     script += "'cluster-start.csv' skip 1 using 1:2:3 with circles lc rgb '#767676' fs empty notitle";
-    script += ", \\\n  '' skip 1 using 1:2:4 with labels font ',12' tc rgb '#767676' notitle";
+    script += ", \\\n  '' skip 1 using ($1+0.8*$3+0.004):($2+0.8*$3+0.003):4 with labels font ',12' tc rgb '#767676' notitle";
     for (int i = 1; i <= 5; ++i)
       script += ", \\\n  '" + std::string(file) + "' skip 1 using " + column(i, 1) + ":" + column(i, 2) +
                 " with lines lw 2.2 lc rgb '" + colours[i - 1] + "' title 'sphere " + std::to_string(i) + "'";
