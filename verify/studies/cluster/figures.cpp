@@ -81,7 +81,7 @@ Figure trajectories(const Run& strong, const Run& weak) {
                                        std::tuple("weak repulsion, α = 0.97", "cluster-weak.csv", "unset ylabel\n")}) {
     script += std::string(z) + "set title '" + title + "'\nplot ";
     script += "'cluster-start.csv' skip 1 using 1:2:3 with circles lc rgb '#767676' fs empty notitle";
-    script += ", \\\n  '' skip 1 using ($1+0.8*$3+0.004):($2+0.8*$3+0.003):4 with labels font ',12' tc rgb '#767676' notitle";
+    script += ", \\\n  '' skip 1 using ($1+($4==3||$4==5?-1:1)*($3+0.006)):2:4 with labels font ',12' tc rgb '#767676' notitle";
     for (int i = 1; i <= 5; ++i)
       script += ", \\\n  '" + std::string(file) + "' skip 1 using " + column(i, 1) + ":" + column(i, 2) +
                 " with lines lw 2.2 lc rgb '" + colours[i - 1] + "' title 'sphere " + std::to_string(i) + "'";
