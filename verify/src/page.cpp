@@ -113,8 +113,8 @@ std::string remarks(const std::vector<Outcome>& outcomes) {
         list += "<dt><strong>" + escaped(remark.about) + "</strong></dt><dd>" + escaped(remark.text) + " <a href=\"#" + anchor(outcome) +
                 "\">" + escaped(outcome.study->name()) + "</a></dd>\n";
   if (list.empty()) return {};
-  return "<h2 id=\"print\">Where the print and the numbers differ</h2>\n<p>The paper's text reached us as a scan whose "
-         "formulas are partly illegible; what stands here was computed in this run.</p>\n<dl class=\"facts\">\n" + list + "</dl>\n";
+  return "<h2 id=\"print\">Where the print and the numbers differ</h2>\n<p>Parts of the paper's print are illegible or "
+         "inconsistent; the numbers here were computed in this run.</p>\n<dl class=\"facts\">\n" + list + "</dl>\n";
 }
 
 std::string figures(const Outcome& outcome) {
