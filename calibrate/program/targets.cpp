@@ -98,6 +98,7 @@ void refuse_what_is_not_for_files(const Options& o) {
   if (o.tcol) refuse("--tcol", console::shortest(*o.tcol));
   if (o.en) refuse("--en", console::shortest(*o.en));
   if (!o.engine.empty()) refuse("--export", o.engine);
+  if (!o.page.empty()) refuse("--report", o.page);
   if (o.method == "nlopt") throw BadInput("--method", o.method, "direct with --targets");
   if (o.end == "both") throw BadInput("--end", o.end, "overlap or force with --targets: one row out per row in");
   if (o.law == "all") throw BadInput("--law", o.law, "a single law with --targets: one row out per row in");
