@@ -22,6 +22,8 @@ struct Options {
   std::string method;  ///< empty: not given
   std::string targets;               ///< the file of --targets; empty: none
   std::optional<unsigned> threads;
+  std::string fit, figures;  ///< the file of --fit, the folder of --figures; empty: none
+  bool alpha_of_speed = false;
   bool format_given = false;
   std::string engine;  ///< of --export; empty: none
   std::string page;    ///< of --report; empty: none

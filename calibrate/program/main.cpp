@@ -1,3 +1,4 @@
+#include "fit_report.hpp"
 #include "report.hpp"
 #include "targets.hpp"
 
@@ -16,6 +17,9 @@ std::string lone_failure(const Infeasible& missed) {
 }
 
 console::Exit work(Options& options) {
+  if (!options.fit.empty()) return run_fit(options);
+  if (options.alpha_of_speed || !options.figures.empty())
+    throw console::BadInput("--alpha-of-speed and --figures: must be left out without --fit");
   if (!options.targets.empty()) return run_targets(options);
   if (options.threads) throw console::BadInput("--threads", std::to_string(*options.threads), "left out without --targets");
   if (options.law.empty()) options.law = "all";

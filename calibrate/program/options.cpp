@@ -61,6 +61,12 @@ void add_options(CLI::App& app, Options& o) {
   };
   app.add_option_function<std::string>("--threads", read_threads, "threads of --targets (default: all cores)")
       ->type_name("NUMBER");
+  app.add_option("--fit", o.fit,
+                 "fit the laws to a CSV file of measurements instead: columns velocity, en and any of en_sigma, tcol, tcol_sigma")
+      ->type_name("FILE");
+  app.add_flag("--alpha-of-speed", o.alpha_of_speed, "with --fit: the fractional law also with an alpha that follows the speed");
+  app.add_option("--figures", o.figures, "with --fit: also draw measurements, fits and residuals into this folder")
+      ->type_name("DIR");
   add_choice(app, "--export", o.engine, {"liggghts", "lammps", "yade", "mercurydpm", "mfix"},
              "write the laws in an engine's own language instead");
   app.add_option("--report", o.page, "also write a page with curves, sensitivities, time steps and export snippets")

@@ -1,0 +1,202 @@
+#include "fit_model.hpp"
+
+#include "forward.hpp"
+
+#include <ricochet/contact/damping_ratio.hpp>
+
+#include <cmath>
+
+namespace ricochet::calibration {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+double logistic(double x) { return 1 / (1 + std::exp(-x)); }
+
+VectorXd vector(std::initializer_list<double> values) {
+  VectorXd v(static_cast<Index>(values.size()));
+  std::copy(values.begin(), values.end(), v.begin());
+  return v;
+}
+
+const ForwardFractional& forward_fractional() {
+  static const ForwardFractional table;
+  return table;
+}
+
+const ForwardDamped& forward_damped(LawName law, ContactEnd end) {
+  static const ForwardDamped kuwabara_kono(LawName::kuwabara_kono, ContactEnd::force);
+  if (law == LawName::kuwabara_kono) return kuwabara_kono;
+  static const ForwardDamped by_force(LawName::tsuji, ContactEnd::force);
+  static const ForwardDamped by_overlap(LawName::tsuji, ContactEnd::overlap);
+  return end == ContactEnd::force ? by_force : by_overlap;
+}
+
+/// With times: u = (ln group, ln k). Without: u = (ln group), and k does not matter. `group` is what sets e_n at 1 m/s.
+class Base : public FitModel {
+ public:
+  Base(const FitRequest& request, bool with_times) : request_(request), with_times_(with_times) {}
+  Index unknowns() const override { return with_times_ ? 2 : 1; }
+  std::vector<VectorXd> starts(double velocity, double tcol) const override {
+    std::vector<VectorXd> all;
+    for (double loss = -6; loss <= 2; loss += 0.5) {
+      VectorXd u(unknowns());
+      u[0] = loss;
+      if (with_times_) {
+        // t_col ∝ k^{−1/time_power}: from the time that k = 1 gives to the typical one.
+        u[1] = 0;
+        const double now = predict(u, velocity).tcol;
+        if (!(now > 0)) continue;
+        u[1] = time_power() * std::log(now / tcol);
+      }
+      all.push_back(u);
+    }
+    return all;
+  }
+
+ protected:
+  virtual double time_power() const { return 2; }
+  double stiffness(const VectorXd& u) const { return with_times_ ? std::exp(u[1]) : 1; }
+  double mass() const { return request_.mass_eff; }
+
+  FitRequest request_;
+  bool with_times_;
+};
+
+/// group = β.
+class LinearModel : public Base {
+ public:
+  using Base::Base;
+  Prediction predict(const VectorXd& u, double velocity) const override {
+    const auto out = collide(law(u), {velocity, mass()}, {request_.end});
+    return {out.en, out.tcol};
+  }
+  std::vector<Parameter> parameters(const VectorXd& u) const override {
+    if (with_times_) return calibration::parameters(law(u));
+    return {{"damping ratio c/(2 sqrt(m k))", std::exp(u[0]), ""}};
+  }
+
+ private:
+  Linear law(const VectorXd& u) const {
+    const double k = stiffness(u);
+    return Linear(k, 2 * std::exp(u[0]) * std::sqrt(mass() * k));
+  }
+};
+
+/// group = k₂/k₁ − 1.
+class HystereticModel : public Base {
+ public:
+  using Base::Base;
+  Prediction predict(const VectorXd& u, double velocity) const override {
+    const auto out = collide(law(u), {velocity, mass()});
+    return {out.en, out.tcol};
+  }
+  std::vector<Parameter> parameters(const VectorXd& u) const override {
+    if (with_times_) return calibration::parameters(law(u));
+    return {{"k1/k2", 1 / (1 + std::exp(u[0])), ""}};
+  }
+
+ private:
+  Hysteretic law(const VectorXd& u) const {
+    const double k = stiffness(u);
+    return Hysteretic(k, k * (1 + std::exp(u[0])));
+  }
+};
+
+/// γ = group v^{s} of a Hertzian spring: T = (m/(k v^{1/2}))^{2/5}, and with the force c ζ^b ζ' γ = c v^b T^{b+1}/m, so that
+/// s = b − (b+1)/5: 1/5 for Kuwabara-Kono (b = 1/2), 0 for Tsuji (b = 1/4).
+class HertzianModel : public Base {
+ public:
+  using Base::Base;
+  Prediction predict(const VectorXd& u, double velocity) const override {
+    const Reduced r = forward_damped(request_.law, request_.end)(u[0] + speed_power() * std::log(velocity));
+    return {r.en, r.tcol * std::pow(mass() / (stiffness(u) * std::sqrt(velocity)), 0.4)};
+  }
+  std::vector<Parameter> parameters(const VectorXd& u) const override {
+    const double k = stiffness(u), group = std::exp(u[0]);
+    // c = γ m v^{−b} T^{−b−1} at v = 1 m/s.
+    const double c = group * mass() * std::pow(k / mass(), 0.4 * (exponent() + 1));
+    if (with_times_)
+      return is_kuwabara_kono() ? calibration::parameters(KuwabaraKono(k, c)) : calibration::parameters(Tsuji(k, c));
+    if (is_kuwabara_kono()) return {{"c k^(-3/5) m^(-2/5)", group, "(s/m)^(1/5)"}};
+    return {{"damping ratio c/sqrt(5 m k)", group / std::sqrt(5.0), ""}};
+  }
+
+ private:
+  bool is_kuwabara_kono() const { return request_.law == LawName::kuwabara_kono; }
+  double exponent() const { return is_kuwabara_kono() ? 0.5 : 0.25; }
+  double speed_power() const { return exponent() - (exponent() + 1) / 5; }
+  double time_power() const override { return 2.5; }
+};
+
+/// u = (ln α/(1−α), ln c^α k^{1−α}).
+class FractionalModel : public Base {
+ public:
+  using Base::Base;
+  Prediction predict(const VectorXd& u, double) const override {
+    const double alpha = logistic(u[0]);
+    const Reduced r = forward_fractional()(alpha);
+    return {r.en, r.tcol * std::pow(stiffness(u) / mass(), -1 / (2 - alpha))};
+  }
+  std::vector<Parameter> parameters(const VectorXd& u) const override {
+    std::vector<Parameter> all{{"alpha", logistic(u[0]), ""}};
+    if (with_times_) all.push_back({"c^alpha k^(1-alpha)", stiffness(u), "kg s^(alpha-2)"});
+    return all;
+  }
+};
+
+/// u = (a, b[, ln k, ln c]): now k and c are told apart, because α changes.
+class SpeedModel : public FitModel {
+ public:
+  SpeedModel(const FitRequest& request, bool with_times) : mass_(request.mass_eff), with_times_(with_times) {}
+  Index unknowns() const override { return with_times_ ? 4 : 2; }
+  Prediction predict(const VectorXd& u, double velocity) const override {
+    const double alpha = logistic(u[0] + u[1] * std::log(velocity));
+    const Reduced r = forward_fractional()(alpha);
+    if (!with_times_) return {r.en, 0};
+    return {r.en, r.tcol * std::exp(-(alpha * u[3] + (1 - alpha) * u[2] - std::log(mass_)) / (2 - alpha))};
+  }
+  std::vector<Parameter> parameters(const VectorXd& u) const override {
+    std::vector<Parameter> all{{"a", u[0], ""}, {"b", u[1], ""}};
+    if (with_times_) {
+      all.push_back({"k", std::exp(u[2]), "kg/s^2"});
+      all.push_back({"c", std::exp(u[3]), "kg/s"});
+    }
+    return all;
+  }
+  std::vector<VectorXd> starts(double velocity, double tcol) const override {
+    std::vector<VectorXd> all;
+    for (double logit = -5; logit <= 3; logit += 0.5)
+      for (const double slope : {-0.5, -0.2, 0.05, 0.2, 0.5}) {
+        const double at_one = logit - slope * std::log(velocity);
+        if (!with_times_) {
+          all.push_back(vector({at_one, slope}));
+          continue;
+        }
+        const double k = mass_ * 10 / (tcol * tcol);
+        all.push_back(vector({at_one, slope, std::log(k), std::log(k * tcol)}));
+      }
+    return all;
+  }
+
+ private:
+  double mass_;
+  bool with_times_;
+};
+
+}  // namespace
+
+std::unique_ptr<FitModel> fit_model(const FitRequest& request, bool with_times) {
+  switch (request.law) {
+    case LawName::linear: return std::make_unique<LinearModel>(request, with_times);
+    case LawName::hysteretic: return std::make_unique<HystereticModel>(request, with_times);
+    case LawName::kuwabara_kono:
+    case LawName::tsuji: return std::make_unique<HertzianModel>(request, with_times);
+    case LawName::fractional: break;
+  }
+  if (request.alpha_of_speed) return std::make_unique<SpeedModel>(request, with_times);
+  return std::make_unique<FractionalModel>(request, with_times);
+}
+
+}  // namespace ricochet::calibration

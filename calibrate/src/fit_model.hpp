@@ -1,0 +1,27 @@
+#pragma once
+
+#include <calibrate/fit.hpp>
+
+#include <Eigen/Dense>
+
+#include <memory>
+
+namespace ricochet::calibration {
+
+/// A law as a function of the impact velocity, under parameters u that may take any value.
+class FitModel {
+ public:
+  virtual ~FitModel() = default;
+  virtual Eigen::Index unknowns() const = 0;
+  virtual Prediction predict(const Eigen::VectorXd& u, double velocity) const = 0;
+  /// What is told the user, as a function of u.
+  virtual std::vector<Parameter> parameters(const Eigen::VectorXd& u) const = 0;
+  /// Starting points, among which the fit takes the best: losses from small to great. `velocity` and `tcol` are typical
+  /// of the data; tcol is 0 where they have no times.
+  virtual std::vector<Eigen::VectorXd> starts(double velocity, double tcol) const = 0;
+};
+
+/// The model of a request; with_times: the data have collision times, so that stiffness can be told.
+std::unique_ptr<FitModel> fit_model(const FitRequest& request, bool with_times);
+
+}  // namespace ricochet::calibration
