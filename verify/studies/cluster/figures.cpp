@@ -101,11 +101,15 @@ Figure velocities(const Run& strong, const Run& weak) {
   std::string script = "set multiplot layout 2,1 margins 0.09,0.98,0.10,0.97 spacing 0.1,0.04\n"
                        "set key right center samplen 2\n";
   const auto panel = [&](const char* unit, const char* names[3], int first) {
-    script += "set ylabel '" + std::string(unit) + "'\nplot ";
+    script += "set ylabel '" + std::string(unit) + "'\n";
+    std::string separator = "plot ";
     for (int c = 0; c < 3; ++c)
-      for (const auto& [file, dash, word] : {std::tuple("cluster-strong.csv", "dt (6,4)", "strong"), std::tuple("cluster-weak.csv", "dt 1", "weak")})
-        script += std::string(c + (dash[3] == '1') ? ", \\\n  " : "") + "'" + file + "' skip 1 using (1000*$1):" + column(1, first + c) +
+      for (const auto& [file, dash, word] : {std::tuple("cluster-strong.csv", "dt (6,4)", "strong"),
+                                             std::tuple("cluster-weak.csv", "dt 1", "weak")}) {
+        script += separator + "'" + file + "' skip 1 using (1000*$1):" + column(1, first + c) +
                   " with lines lw 2 " + dash + " lc rgb '" + colours[c] + "' title '" + names[c] + ", " + word + "'";
+        separator = ", \\\n  ";
+      }
     script += "\n";
   };
   const char* linear[] = {"v_x", "v_y", "v_z"};
