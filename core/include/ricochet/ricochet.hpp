@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ricochet/contact/any_law.hpp>
+#include <ricochet/contact/arms_block.hpp>
 #include <ricochet/contact/fractional_collocation.hpp>
 #include <ricochet/contact/fractional_contact.hpp>
 #include <ricochet/contact/fractional_contact_table.hpp>

@@ -1,0 +1,93 @@
+// The memory-kernel step of a block of contacts with 12 arms each that stays in the first-level cache.
+#include <benchmark/benchmark.h>
+#include <ricochet/contact/arms_block.hpp>
+
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using namespace ricochet;
+
+constexpr std::size_t contacts = 200, arms = 12;
+constexpr double step = 1e-6;
+
+/// The loosest kernel with so many arms.
+FractionalArms law() {
+  for (double tolerance = 1e-2; tolerance > 1e-12; tolerance /= 1.5) {
+    const MemoryKernel kernel = memory_kernel(0.3, step, 1000 * step, tolerance);
+    if (kernel.arms().size() == arms) return FractionalArms(Fractional(5000, 0.3, 0.3), kernel, step);
+  }
+  throw std::runtime_error("no kernel with so many arms");
+}
+
+/// Overlaps [m] at two neighbouring times; steps go to and fro between them.
+struct Overlaps {
+  std::vector<double> one, other;
+  Overlaps() {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> draw(1e-6, 2e-6);
+    for (std::size_t j = 0; j < contacts; ++j) one.push_back(draw(random)), other.push_back(draw(random));
+  }
+};
+
+void report(benchmark::State& state) {
+  state.counters["s/contact"] = benchmark::Counter(static_cast<double>(contacts * state.iterations()),
+                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void arms_block(benchmark::State& state, Instructions instructions) {
+  if (instructions > widest_instructions()) return state.SkipWithError("not on this machine");
+  const ArmsBlock block(law(), step, arms, instructions);
+  Overlaps overlaps;
+  std::vector<double> elongation(contacts * arms), held(contacts);
+  for (auto _ : state) {
+    block.advance(contacts, elongation.data(), overlaps.one.data(), overlaps.other.data(), held.data());
+    std::swap(overlaps.one, overlaps.other);
+    benchmark::ClobberMemory();
+  }
+  report(state);
+}
+
+/// One contact after the other as LIGGGHTS has them stepped, the rate linear over the step: one multiplication more.
+void arms_one_by_one(benchmark::State& state) {
+  const FractionalArms one = law();
+  Overlaps overlaps;
+  std::vector<double> elongation(contacts * arms), force(contacts);
+  for (auto _ : state) {
+    for (std::size_t j = 0; j < contacts; ++j) {
+      const double rate = (overlaps.other[j] - overlaps.one[j]) / step;
+      force[j] = one.advance_step<arms>(&elongation[j * arms], {overlaps.one[j], rate}, {overlaps.other[j], rate});
+    }
+    std::swap(overlaps.one, overlaps.other);
+    benchmark::ClobberMemory();
+  }
+  report(state);
+}
+
+/// The same by the two functions that every law has, as in `simulate`.
+void arms_as_any_law(benchmark::State& state) {
+  const FractionalArms one = law();
+  Overlaps overlaps;
+  std::vector<FractionalArms::Memory> memory(contacts);
+  std::vector<double> force(contacts);
+  for (auto _ : state) {
+    for (std::size_t j = 0; j < contacts; ++j) {
+      const double rate = (overlaps.other[j] - overlaps.one[j]) / step;
+      one.advance(memory[j], {overlaps.one[j], rate}, {overlaps.other[j], rate}, step);
+      force[j] = one.force({overlaps.other[j], rate}, memory[j]);
+    }
+    std::swap(overlaps.one, overlaps.other);
+    benchmark::ClobberMemory();
+  }
+  report(state);
+}
+
+}  // namespace
+
+BENCHMARK_CAPTURE(arms_block, baseline, ricochet::Instructions::baseline);
+BENCHMARK_CAPTURE(arms_block, avx2, ricochet::Instructions::avx2);
+BENCHMARK(arms_one_by_one);
+BENCHMARK(arms_as_any_law);
+BENCHMARK_MAIN();
