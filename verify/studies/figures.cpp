@@ -62,6 +62,28 @@ struct Column {
   std::size_t key_row;
 };
 
+double coordinate(const TracePoint& p, int column) {
+  return column == 2 ? 1e6 * p.time : column == 3 ? 1e6 * p.overlap : column == 4 ? p.rate : p.force;
+}
+
+/// The distance of an axis's tics, 1, 2 or 5 times a power of ten: left to itself gnuplot sets so many that their labels
+/// touch in a panel of this width.
+double tic_step(const std::vector<Curve>& curves, int panel, int column) {
+  double low = 0, high = 0;
+  for (const Curve& curve : curves) {
+    if (curve.panel != panel) continue;
+    for (const TracePoint& p : curve.points) {
+      low = std::min(low, coordinate(p, column));
+      high = std::max(high, coordinate(p, column));
+    }
+  }
+  constexpr double intervals = 6;
+  const double least = (high - low) / intervals, power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least) return factor * power;
+  return 10 * power;
+}
+
 /// Rows of panels over columns of curve groups.
 console::Figure figure(const std::string& name, const std::string& caption, const std::vector<Curve>& curves,
                        std::span<const Axes> rows, const std::vector<Column>& columns) {
@@ -74,7 +96,8 @@ console::Figure figure(const std::string& name, const std::string& caption, cons
       const Axes& axes = rows[row];
       script += "set title '" + (row == 0 ? columns[column].title : "") + "'\nset key " +
                 (row == columns[column].key_row ? columns[column].key : "off") + "\nset xlabel '" + axes.x_label +
-                "' offset 0,0.5\nset ylabel '" + axes.y_label + "' offset 1,0\n";
+                "' offset 0,0.5\nset ylabel '" + axes.y_label + "' offset 1,0\nset xtics " +
+                console::shortest(tic_step(curves, static_cast<int>(column), axes.x)) + "\n";
       std::string plot;
       for (std::size_t i = 0; i < curves.size(); ++i) {
         if (curves[i].panel != static_cast<int>(column)) continue;
@@ -159,7 +182,7 @@ std::vector<Curve> alpha_curves() {
       const Fractional law(k, c, alpha);
       const int panel = static_cast<int>(group);
       curves.push_back(
-          {"alpha = " + console::shortest(alpha), closed_form(law, glass_impact, shown(alpha)), line(i), panel});
+          {"α = " + console::shortest(alpha), closed_form(law, glass_impact, shown(alpha)), line(i), panel});
       if (alpha > 0.97) continue;  // there is no rebound to solve for
       const double step = curves.back().points.back().time / 30;
       curves.push_back({"",

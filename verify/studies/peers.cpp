@@ -154,7 +154,7 @@ console::Figure figure(const std::vector<Curve>& curves, const std::vector<doubl
   }
   std::string script =
       "set xlabel 'restitution asked'\nset ylabel 'restitution obtained - asked'\nset xrange [0:1]\n"
-      "set yrange [-0.02:0.2]\nset key top right\nset xzeroaxis lt 1 lc rgb 'black' lw 0.7\nplot ";
+      "set yrange [-0.02:0.2]\nset key below maxcols 2\nset xzeroaxis lt 1 lc rgb 'black' lw 0.7\nplot ";
   int column = 2;
   for (const Drawn& d : drawn) {
     script += (column > 2 ? ", \\\n  " : "") + std::string("'peers-error.csv' skip 1 using 1:($") +
@@ -166,7 +166,7 @@ console::Figure figure(const std::vector<Curve>& curves, const std::vector<doubl
           .script = script + "\n",
           .data = {{"peers-error.csv", csv}},
           .width = 900,
-          .height = 500};
+          .height = 560};
 }
 
 class Peers : public Study {

@@ -3,6 +3,7 @@
 #include <console/number.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -74,7 +75,7 @@ std::string last_speed(const Run& run) {
 
 Figure trajectories(const Run& strong, const Run& weak) {
   std::string script =
-      "set multiplot layout 1,2 margins 0.10,0.98,0.13,0.91 spacing 0.08,0.1\nset size ratio -1\n"
+      "set multiplot layout 1,2 margins 0.10,0.98,0.11,0.94 spacing 0.08,0.1\nset size ratio -1\n"
       "set xrange [-0.01:0.2]\nset yrange [0:0.26]\nset xtics 0.04\nset ytics 0.04\n"
       "set xlabel 'y [m]'\nset key bottom right samplen 1.5\n";
   for (const auto& [title, file, z] : {std::tuple("strong repulsion, α = 0.01", "cluster-strong.csv", "set ylabel 'z [m]'\n"),
@@ -92,38 +93,38 @@ Figure trajectories(const Run& strong, const Run& weak) {
           .script = script + "unset multiplot\n",
           .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), circles(strong)},
           .width = 900,
-          .height = 620,
+          .height = 560,
           .finding = "Sphere 1 comes from above and drives the others apart: " + farthest(strong) + " under strong, " +
                      farthest(weak) + " under weak repulsion."};
 }
 
 Figure velocities(const Run& strong, const Run& weak) {
-  std::string script = "set multiplot layout 2,1 margins 0.09,0.98,0.10,0.97 spacing 0.1,0.04\n"
-                       "set key right center samplen 2\n";
-  const auto panel = [&](const char* unit, const char* names[3], int first) {
+  std::string script = "set multiplot layout 2,1 margins 0.09,0.78,0.10,0.97 spacing 0.1,0.04\n"
+                       "set key outside right center samplen 2\n";
+  const auto panel = [&](const char* unit, const std::array<std::string, 3>& names, const Vec3& from, int first) {
     script += "set ylabel '" + std::string(unit) + "'\n";
     std::string separator = "plot ";
     for (int c = 0; c < 3; ++c)
       for (const auto& [file, dash, word] : {std::tuple("cluster-strong.csv", "dt (6,4)", "strong"),
                                              std::tuple("cluster-weak.csv", "dt 1", "weak")}) {
-        script += separator + "'" + file + "' skip 1 using (1000*$1):" + column(1, first + c) +
-                  " with lines lw 2 " + dash + " lc rgb '" + colours[c] + "' title '" + names[c] + ", " + word + "'";
+        script += separator + "'" + file + "' skip 1 using (1000*$1):($" + column(1, first + c) + "-(" +
+                  shortest(std::array{from.x, from.y, from.z}[c]) + ")) with lines lw 2 " + dash + " lc rgb '" + colours[c] + "' title '" + names[c] +
+                  ", " + word + "'";
         separator = ", \\\n  ";
       }
     script += "\n";
   };
-  const char* linear[] = {"v_x", "v_y", "v_z"};
-  const char* angular[] = {"ω_x", "ω_y", "ω_z"};
+  // Next to its first velocity, along z, what the collisions change would be lines on top of each other.
   script += "set format x ''\n";
-  panel("velocity of sphere 1 [m/s]", linear, 3);
+  panel("velocity of sphere 1, less its first [m/s]", {"Δv_x", "Δv_y", "Δv_z"}, strong.samples.front().velocity[0], 3);
   script += "set format x '%g'\nset xlabel 't [ms]'\n";
-  panel("spin of sphere 1 [1/s]", angular, 6);
+  panel("spin of sphere 1 [1/s]", {"ω_x", "ω_y", "ω_z"}, {}, 6);
   return {.name = "cluster-velocities",
-          .caption = "Fig. 8: velocity and spin of sphere 1; dashed: strong repulsion (α = 0.01), solid: weak (α = 0.97).",
+          .caption = "Fig. 8: velocity of sphere 1, less its first, and spin; dashed: strong repulsion (α = 0.01), solid: weak (α = 0.97).",
           .script = script + "unset multiplot\n",
           .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv")},
-          .width = 800,
-          .height = 720,
+          .width = 900,
+          .height = 680,
           .finding = "Sphere 1 leaves at " + last_speed(strong) + " after strong and at " + last_speed(weak) + " after weak collisions."};
 }
 
