@@ -87,6 +87,21 @@ TEST_CASE("E matches the tabulated reference values") {
 TEST_CASE("E matches multiprecision") { compare_with_multiprecision(50, 1); }
 TEST_CASE("E matches multiprecision at many points", "[.slow]") { compare_with_multiprecision(1500, 2); }
 
+TEST_CASE("E matches multiprecision for large b, whose contours are further out") {
+  double worst = 0;
+  for (double b : {2.6, 3.2, 7.7, 9.53, 19.0, 35.0, 56.9})
+    for (double a : {0.5, 1.3, 2.4})
+      for (double x : {-2e3, -50.0, -3.0, 0.7}) {
+        const Reference reference = mittag_leffler_reference(a, b, x);
+        CAPTURE(a, b, x, reference.digits);
+        const double direct = excess(mittag_leffler(a, b, x), reference.value, reference.slope);
+        worst = std::max(worst, direct);
+        CHECK(direct <= 1);
+      }
+  CAPTURE(worst);
+  CHECK(worst > 0);
+}
+
 TEST_CASE("the tabulated reference values are those of the multiprecision series", "[.slow]") {
   for (const Row& row : rows(RICOCHET_SOURCE_DIR "/data/mittag_leffler_reference.csv")) {
     INFO("a = " << row.a << ", b = " << row.b << ", x = " << row.x);
@@ -149,6 +164,16 @@ TEST_CASE("E satisfies its recurrence in b and its derivative identity") {
         const double numeric = (8 * (f(at + h) - f(at - h)) - (f(at + 2 * h) - f(at - 2 * h))) / (12 * h);
         const double exact = (mittag_leffler(a, b, at) - b * mittag_leffler(a, b + 1, at)) / (a * at);
         CHECK(numeric == Approx(exact).epsilon(1e-7).margin(1e-10));
+      }
+}
+
+TEST_CASE("E has its digits where it is as small as a double can be") {
+  for (double a : {0.5, 1.3, 2.4})
+    for (double b : {70.0, 72.0, 110.0, 145.0, 166.0})
+      for (double x : {-60.0, -1.5, 0.4, 0.9}) {
+        INFO("a = " << a << ", b = " << b << ", x = " << x);
+        const double exact = 1 / std::tgamma(b) + x * mittag_leffler(a, a + b, x);
+        CHECK(mittag_leffler(a, b, x) == Approx(exact).epsilon(4e-13));
       }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ricochet::detail {
 
@@ -21,20 +22,30 @@ HankelContour::HankelContour(double beta) {
   step_ = 0.1 / std::sqrt(std::max(1.0, beta / 2.5));
   // The last node is where e^s has fallen by e^-44 below the apex, algebraic factors included generously.
   const double reach = std::acosh(1 + 44 / (mu_ * std::sin(angle)));
-  size_ = std::min(capacity, static_cast<std::size_t>(reach / step_) + 1);
+  size_ = std::min(ContourNodes::capacity, static_cast<std::size_t>(reach / step_) + 1);
   for (const Grid g : {on_axis, off_axis}) {
     for (std::size_t k = 0; k < size_; ++k) {
       const double u = (static_cast<double>(k) + (g == off_axis ? 0.5 : 0.0)) * step_;
       const double mirrored = u == 0 ? 1 : 2;
       const Complex s = mu_ * Complex(1 - std::sin(angle) * std::cosh(u), std::cos(angle) * std::sinh(u));
       const Complex slope = mu_ * Complex(std::cos(angle) * std::cosh(u), std::sin(angle) * std::sinh(u));
-      nodes_[g][k] = {s, std::log(s), mirrored * step_ / (2 * pi) * slope * std::exp(s)};
+      const Complex weight = mirrored * step_ / (2 * pi) * slope * std::exp(s), over_s = weight / s, log_s = std::log(s);
+      ContourNodes& n = nodes_[g];
+      n.s_re[k] = s.real(), n.s_im[k] = s.imag();
+      n.log_size[k] = log_s.real(), n.argument[k] = log_s.imag();
+      n.weight_re[k] = weight.real(), n.weight_im[k] = weight.imag();
+      n.over_s_re[k] = over_s.real(), n.over_s_im[k] = over_s.imag();
     }
   }
 }
 
 Complex HankelContour::parameter(Complex s) const {
   // 1 + sin θ = 2 sin²(θ/2 + π/4), θ = iu − φ, avoids the cancellation near s = 0.
+  if (s.imag() == 0 && s.real() >= 0) {
+    const double root = std::sqrt(s.real() / (2 * mu_));
+    if (root > 1) return {2 * std::acosh(root), -pi / 2 - angle};
+    return {0, pi / 2 - angle - 2 * std::asin(root)};
+  }
   const Complex iu = angle - pi / 2 + 2.0 * std::asin(std::sqrt(s / (2 * mu_)));
   return {iu.imag(), -iu.real()};
 }
@@ -62,10 +73,31 @@ Complex HankelContour::pole_factor_less_one(Complex u, Grid g) const {
   return -std::exp(q) / expm1(q);
 }
 
+namespace {
+
+// Contours for b up to 2.5·1.25^n, each laid out where it is first asked for. One that fits a b greater by δ, its apex
+// that much too far out, costs a factor exp(b(δ − ln(1+δ))) ≈ exp(bδ²/2) of rounding: 1.2 at b = 10.
+constexpr double usual = 2.5, ratio = 1.25;
+
+template <int N>
+const HankelContour& shared_contour() {
+  static const HankelContour contour(usual * std::pow(ratio, N));
+  return contour;
+}
+
+template <int... N>
+const HankelContour& shared_contour(std::size_t n, std::integer_sequence<int, N...>) {
+  constexpr const HankelContour& (*each[])() = {shared_contour<N>...};
+  return each[n]();
+}
+
+}  // namespace
+
 const HankelContour& contour_for(double b, std::unique_ptr<HankelContour>& own) {
-  constexpr double usual = 2.5;
-  static const HankelContour contour(usual);
-  if (b <= usual) return contour;
+  constexpr std::size_t count = 16;
+  double limit = usual;
+  for (std::size_t n = 0; n < count; ++n, limit *= ratio)
+    if (b <= limit) return shared_contour(n, std::make_integer_sequence<int, count>{});
   own = std::make_unique<HankelContour>(b);
   return *own;
 }

@@ -9,10 +9,13 @@ namespace ricochet::detail {
 
 using Complex = std::complex<double>;
 
-/// One trapezoidal node of ½ of a symmetric Hankel contour; the mirrored half is in the weight.
-struct ContourNode {
-  Complex s, log_s;
-  Complex weight;  ///< Σ Re(weight·F(s)) ≈ (1/2πi) ∫ e^s F(s) ds
+/// The trapezoidal nodes of ½ of a symmetric Hankel contour; the mirrored half is in the weights:
+/// Σ Re(weight·F(s)) ≈ (1/2πi) ∫ e^s F(s) ds. Parts apart, for loops over all nodes.
+struct ContourNodes {
+  static constexpr std::size_t capacity = 48;
+  using Row = std::array<double, capacity>;
+  Row s_re, s_im, log_size, argument;      ///< s, log |s|, arg s
+  Row weight_re, weight_im, over_s_re, over_s_im;  ///< weight, weight/s
 };
 
 /// The hyperbola s(u) = μ(1 + sin(iu − φ)), −∞ < u < ∞, around the negative axis, with the trapezoidal rule of step h in
@@ -21,14 +24,13 @@ struct ContourNode {
 /// least h/4 away from any point.
 class HankelContour {
  public:
-  static constexpr std::size_t capacity = 48;
   enum Grid { on_axis = 0, off_axis = 1 };  ///< whether u = 0 is a node
 
   /// For integrands that behave as s^{-β} towards the cut; the apex of the contour follows the saddle of e^s s^{-β}.
   explicit HankelContour(double beta);
 
   std::size_t size() const noexcept { return size_; }
-  const ContourNode& node(Grid g, std::size_t k) const noexcept { return nodes_[g][k]; }
+  const ContourNodes& nodes(Grid g) const noexcept { return nodes_[g]; }
 
   /// u with s(u) = s, in |arg s| < π.
   Complex parameter(Complex s) const;
@@ -46,10 +48,10 @@ class HankelContour {
 
   double mu_, step_;
   std::size_t size_;
-  std::array<std::array<ContourNode, capacity>, 2> nodes_;
+  std::array<ContourNodes, 2> nodes_;
 };
 
-/// The contour for E_{a,b}: one shared by all b ≤ 2.5, laid out once a process, or else one put into `own`.
+/// The contour for E_{a,b}: one shared by all b up to some limit, laid out once a process, or past b = 71 one put into `own`.
 const HankelContour& contour_for(double b, std::unique_ptr<HankelContour>& own);
 
 /// e^z − 1 without cancellation for small z.

@@ -1,20 +1,14 @@
 #include "mittag_leffler_integral.hpp"
 
+#include "complex_power.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace ricochet::detail {
 
 using std::numbers::pi;
-
-namespace {
-
-Complex power(Complex log_s, double exponent) {
-  const double size = std::exp(exponent * log_s.real()), turn = exponent * log_s.imag();
-  return {size * std::cos(turn), size * std::sin(turn)};
-}
-
-}  // namespace
 
 Form Form::choose(double a, double b, double x) {
   Form form;
@@ -27,59 +21,66 @@ Form Form::choose(double a, double b, double x) {
 
 Nodes::Nodes(const HankelContour& contour, HankelContour::Grid grid, double a, double b, Form form)
     : size_(contour.size()), form_(form) {
-  for (std::size_t k = 0; k < size_; ++k) {
-    const ContourNode& node = contour.node(grid, k);
-    if (form.near_one)
-      fill_near_one(k, node, a, b);
-    else
-      fill(k, node, a, b);
-  }
+  const ContourNodes& nodes = contour.nodes(grid);
+  if (form.near_one)
+    fill_near_one(nodes, a, b);
+  else
+    fill(nodes, a, b);
 }
 
 // weight·s^{(1+shifts)a − b}; b = 1 and b = a, the usual ones, need no second power.
-void Nodes::fill(std::size_t k, const ContourNode& node, double a, double b) {
-  const Complex sa = power(node.log_s, a);
-  Complex w = node.weight;
-  if (form_.shifts >= 0 && b == a) {
-    for (int i = 0; i < form_.shifts; ++i) w = product(w, sa);
-  } else if (form_.shifts >= 0 && b == 1) {
-    w = product(w, std::conj(node.s)) / std::norm(node.s);
-    for (int i = 0; i <= form_.shifts; ++i) w = product(w, sa);
-  } else {
-    w = product(w, power(node.log_s, (1 + form_.shifts) * a - b));
-  }
-  pole_re_[k] = sa.real();
-  pole_im_[k] = sa.imag();
-  re_[k] = w.real();
-  im_[k] = w.imag();
+void Nodes::fill(const ContourNodes& nodes, double a, double b) {
+  complex_powers(size_, nodes.log_size.data(), nodes.argument.data(), a, pole_re_.data(), pole_im_.data());
+  const bool over_s = form_.shifts >= 0 && b == 1, chained = over_s || (form_.shifts >= 0 && b == a);
+  std::copy_n((over_s ? nodes.over_s_re : nodes.weight_re).begin(), size_, re_.begin());
+  std::copy_n((over_s ? nodes.over_s_im : nodes.weight_im).begin(), size_, im_.begin());
+  if (chained) return multiply(form_.shifts + (over_s ? 1 : 0), pole_re_, pole_im_);
+  // In parts where b is large: e^s in the weight and s^{−b} would each leave the range of a double.
+  const double exponent = (1 + form_.shifts) * a - b;
+  const int parts = 1 + static_cast<int>(std::abs(exponent) / 40);
+  Row power_re, power_im;
+  complex_powers(size_, nodes.log_size.data(), nodes.argument.data(), exponent / parts, power_re.data(), power_im.data());
+  multiply(parts, power_re, power_im);
+}
+
+// The integrand times the rows' numbers, so many times.
+void Nodes::multiply(int times, const Row& q_re, const Row& q_im) {
+  for (int i = 0; i < times; ++i)
+    for (std::size_t k = 0; k < size_; ++k) {
+      const double re = re_[k] * q_re[k] - im_[k] * q_im[k];
+      im_[k] = re_[k] * q_im[k] + im_[k] * q_re[k];
+      re_[k] = re;
+    }
 }
 
 // s^{a−b}/(s^a − x) − s^{1−m}/(s − x) = s^{1−m} [s^a (s^δ − 1) − x (s^{δ+a−1} − 1)] / ((s^a − x)(s − x)), δ = m − b, the
 // shifts taken into m and b. For b = m and b = a, δ is a multiple of a − 1 and everything comes from s^{a−1} − 1.
-void Nodes::fill_near_one(std::size_t k, const ContourNode& node, double a, double b) {
-  const Complex step = expm1((a - 1) * node.log_s);
-  const auto chain = [&](int n) {  // s^{n(a−1)} − 1
-    Complex sum = n < 0 ? -step / (1.0 + step) : Complex(0);
-    for (int i = 0; i < n; ++i) sum += step + product(sum, step);
-    return sum;
-  };
-  const double delta = (form_.m - b) + form_.shifts * (a - 1);
+void Nodes::fill_near_one(const ContourNodes& nodes, double a, double b) {
   const bool chained = b == form_.m || (b == a && form_.m == 1);
   const int links = form_.shifts - (b == form_.m ? 0 : 1);
-  const Complex low = chained ? chain(links) : expm1(delta * node.log_s);
-  const Complex high = chained ? chain(links + 1) : expm1((delta + (a - 1)) * node.log_s);
-  const Complex sa = node.s + product(node.s, step);
-  Complex w = node.weight;
-  for (int m = form_.m - form_.shifts; m < 1; ++m) w = product(w, node.s);
-  const Complex constant = product(w, product(sa, low)), linear = product(w, high);
-  pole_re_[k] = sa.real();
-  pole_im_[k] = sa.imag();
-  re_[k] = constant.real();
-  im_[k] = constant.imag();
-  linear_re_[k] = linear.real();
-  linear_im_[k] = linear.imag();
-  s_re_[k] = node.s.real();
-  s_im_[k] = node.s.imag();
+  const double delta = (form_.m - b) + form_.shifts * (a - 1);
+  const auto less_one = [&](double exponent, Row& re, Row& im) {
+    complex_powers_less_one(size_, nodes.log_size.data(), nodes.argument.data(), exponent, re.data(), im.data());
+  };
+  less_one(a - 1, pole_re_, pole_im_);
+  if (!chained) less_one(delta, re_, im_), less_one(delta + (a - 1), linear_re_, linear_im_);
+  for (std::size_t k = 0; k < size_; ++k) {
+    const Complex s(nodes.s_re[k], nodes.s_im[k]), step(pole_re_[k], pole_im_[k]), sa = s + product(s, step);
+    const auto chain = [&](int n) {  // s^{n(a−1)} − 1
+      Complex sum = n < 0 ? -step / (1.0 + step) : Complex(0);
+      for (int i = 0; i < n; ++i) sum += step + product(sum, step);
+      return sum;
+    };
+    const Complex low = chained ? chain(links) : Complex(re_[k], im_[k]);
+    const Complex high = chained ? chain(links + 1) : Complex(linear_re_[k], linear_im_[k]);
+    Complex w(nodes.weight_re[k], nodes.weight_im[k]);
+    for (int m = form_.m - form_.shifts; m < 1; ++m) w = product(w, s);
+    const Complex constant = product(w, product(sa, low)), linear = product(w, high);
+    pole_re_[k] = sa.real(), pole_im_[k] = sa.imag();
+    re_[k] = constant.real(), im_[k] = constant.imag();
+    linear_re_[k] = linear.real(), linear_im_[k] = linear.imag();
+    s_re_[k] = s.real(), s_im_[k] = s.imag();
+  }
 }
 
 // Four partial sums: the order of the additions is fixed, and the divisions overlap.

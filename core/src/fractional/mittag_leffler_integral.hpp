@@ -27,12 +27,13 @@ class Nodes {
   double integral(double x) const { return form_.near_one ? integral_near_one(x) : integral_plain(x); }
 
  private:
-  void fill(std::size_t k, const ContourNode& node, double a, double b);
-  void fill_near_one(std::size_t k, const ContourNode& node, double a, double b);
+  using Row = ContourNodes::Row;
+  void fill(const ContourNodes& nodes, double a, double b);
+  void fill_near_one(const ContourNodes& nodes, double a, double b);
+  void multiply(int times, const Row& q_re, const Row& q_im);
   double integral_plain(double x) const;
   double integral_near_one(double x) const;
 
-  using Row = std::array<double, HankelContour::capacity>;
   std::size_t size_;
   Form form_;
   Row pole_re_, pole_im_, re_, im_;
