@@ -1,5 +1,6 @@
 #include "fit_report.hpp"
 
+#include "fit_figure.hpp"
 #include "measurements.hpp"
 
 #include <console/json.hpp>
@@ -17,27 +18,44 @@ using console::BadInput;
 using console::Json;
 using console::Table;
 
-std::vector<FitRequest> requests_of(const Options& o, double mass_eff) {
+/// A law that was asked for and has no fit.
+struct LeftOut {
+  FitRequest request;
+  std::string reason;
+};
+
+struct FitReport {
+  std::vector<Measurement> data;
+  std::vector<Fit> fits;
+  std::vector<LeftOut> left_out;
+  std::vector<std::string> assumptions;
+};
+
+/// The laws that are asked for; what does not offer the asked end is left out, or refused where it stands alone.
+std::vector<FitRequest> requests_of(const Options& o, double mass_eff, std::vector<LeftOut>& left_out) {
   const auto end = o.end.empty() ? ContactEnd::force : end_named("--end", o.end);
   std::vector<LawName> laws{LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic,
                             LawName::fractional};
   if (!o.law.empty() && o.law != "all") laws = {law_named("--law", o.law)};
+  if (o.alpha_of_speed && laws.back() != LawName::fractional)
+    throw BadInput("--alpha-of-speed: must be given with --law fractional or all");
   std::vector<FitRequest> all;
   for (const LawName law : laws) {
-    const bool offered = end == ContactEnd::force || law == LawName::linear || law == LawName::tsuji;
-    if (!offered && laws.size() == 1) throw BadInput("--end", o.end, "force with --fit and --law " + o.law);
-    if (offered) all.push_back({law, end, mass_eff});
-    if (offered && law == LawName::fractional && o.alpha_of_speed) all.push_back({law, end, mass_eff, true});
+    if (offers(law, end)) {
+      all.push_back({law, end, mass_eff});
+      continue;
+    }
+    if (laws.size() == 1) throw BadInput("--end", o.end, "force with --law " + o.law);
+    left_out.push_back({{law, end, mass_eff}, "ends by force only"});
   }
-  if (o.alpha_of_speed && !all.back().alpha_of_speed)
-    throw BadInput("--alpha-of-speed: must be given with --law fractional or all, ended by force");
+  if (o.alpha_of_speed) all.push_back({LawName::fractional, end, mass_eff, true});
   return all;
 }
 
-Table parameter_table(const std::vector<Fit>& fits) {
+Table parameter_table(const FitReport& report) {
   Table table({{"law"}, {"parameter"}, {"value"}, {"standard error", "", {.digits = 3}}, {"unit"}, {"correlations"}},
               "Parameters, as far as the data tell them");
-  for (const Fit& fit : fits)
+  for (const Fit& fit : report.fits)
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
       const Estimate& p = fit.parameters[i];
       std::string row;
@@ -45,40 +63,79 @@ Table parameter_table(const std::vector<Fit>& fits) {
         row += (j ? " " : "") + console::fixed(fit.correlations[i][j], 3);
       table.row({fit_name(fit.request), p.name, p.value, p.error, p.unit, row});
     }
+  if (report.data.front().tcol > 0)  // without times the mass has no part in what is told
+    for (const auto& assumption : report.assumptions) table.note("assumed: " + assumption);
   return table;
 }
 
 Table goodness_table(const std::vector<Fit>& fits) {
-  const auto best = std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.aic < b.aic; });
+  const auto best =
+      std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.aic < b.aic; });
   const bool known = fits.front().errors_known;
-  Table table({{"law"}, {"end"}, {known ? "chi2" : "sum of squares"}, {"degrees of freedom"}, {known ? "chi2/dof" : "scatter"},
-               {"probability", "", {.digits = 3}}, {"AIC over the best", "", {console::Notation::Kind::fixed, 1}}},
+  Table table({{"law"},
+               {"end"},
+               {known ? "chi2" : "sum of squares"},
+               {"degrees of freedom"},
+               {known ? "chi2/dof" : "scatter"},
+               {"probability", "", {.digits = 3}},
+               {"AIC over the best", "", {.digits = 4}}},
               "How well they fit");
   for (const Fit& fit : fits) {
     const double over = fit.chi2 / static_cast<double>(fit.freedom);
-    table.row({fit_name(fit.request), std::string(text(fit.request.end)), fit.chi2, static_cast<std::int64_t>(fit.freedom),
-               known ? over : std::sqrt(over), known ? console::Cell(fit.probability) : console::blank(), fit.aic - best->aic});
+    table.row({fit_name(fit.request), std::string(text(fit.request.end)), fit.chi2,
+               static_cast<std::int64_t>(fit.freedom), known ? over : std::sqrt(over),
+               known ? console::Cell(fit.probability) : console::blank(), fit.aic - best->aic});
   }
-  for (const Fit& fit : fits)
-    for (const auto& finding : fit.findings) table.note(fit_name(fit.request) + ": " + finding);
   return table;
 }
 
-Table residual_table(const std::vector<Fit>& fits, const std::vector<Measurement>& data) {
+/// Each finding once, with the laws that it is about.
+Table findings_table(const FitReport& report) {
+  std::vector<std::pair<std::string, std::string>> found;
+  const auto add = [&](const std::string& finding, const FitRequest& request) {
+    const auto known = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == finding; });
+    if (known == found.end())
+      found.emplace_back(finding, fit_name(request));
+    else
+      known->second += "; " + fit_name(request);
+  };
+  for (const Fit& fit : report.fits)
+    for (const auto& finding : fit.findings) add(finding, fit.request);
+  for (const LeftOut& missed : report.left_out) add("not fitted: " + missed.reason, missed.request);
+  Table table({{"finding"}, {"laws"}}, "What the data do not tell, and what does not fit");
+  for (const auto& [finding, laws] : found) table.row({finding, laws});
+  return table;
+}
+
+/// The columns of the measurements, as the file has them.
+Table measured_table(const std::vector<Measurement>& data) {
   const bool times = data.front().tcol > 0, known = data.front().en_sigma > 0;
   std::vector<console::Column> columns{{"velocity", "m/s"}, {"en"}};
   if (known) columns.push_back({"en_sigma"});
   if (times) columns.insert(columns.end(), {{"tcol", "s"}, {"tcol_sigma", "s"}});
-  for (const Fit& fit : fits) {
+  Table table(columns);
+  for (const Measurement& m : data) {
+    std::vector<console::Cell> row{m.velocity, m.en};
+    if (known) row.push_back(m.en_sigma);
+    if (times) row.insert(row.end(), {m.tcol, m.tcol_sigma});
+    table.row(row);
+  }
+  return table;
+}
+
+/// Measured and fitted side by side.
+Table comparison_table(const FitReport& report) {
+  const Table measured = measured_table(report.data);
+  const bool times = report.data.front().tcol > 0;
+  auto columns = measured.columns();
+  for (const Fit& fit : report.fits) {
     columns.push_back({"en, " + fit_name(fit.request)});
     if (times) columns.push_back({"tcol, " + fit_name(fit.request), "s"});
   }
   Table table(columns, "Measured and fitted");
-  for (std::size_t i = 0; i < data.size(); ++i) {
-    std::vector<console::Cell> row{data[i].velocity, data[i].en};
-    if (known) row.push_back(data[i].en_sigma);
-    if (times) row.insert(row.end(), {data[i].tcol, data[i].tcol_sigma});
-    for (const Fit& fit : fits) {
+  for (std::size_t i = 0; i < report.data.size(); ++i) {
+    auto row = measured.rows()[i];
+    for (const Fit& fit : report.fits) {
       row.push_back(fit.predictions[i].en);
       if (times) row.push_back(fit.predictions[i].tcol);
     }
@@ -87,8 +144,9 @@ Table residual_table(const std::vector<Fit>& fits, const std::vector<Measurement
   return table;
 }
 
-Json json_of(const Fit& fit) {
-  Json out{{"law", text(fit.request.law)}, {"alpha_of_speed", fit.request.alpha_of_speed}, {"end", text(fit.request.end)}};
+Json json_of(const Fit& fit, bool times) {
+  Json out{
+      {"law", text(fit.request.law)}, {"alpha_of_speed", fit.request.alpha_of_speed}, {"end", text(fit.request.end)}};
   out["parameters"] = Json::array();
   for (const Estimate& p : fit.parameters)
     out["parameters"].push_back({{"name", p.name}, {"value", p.value}, {"standard_error", p.error}, {"unit", p.unit}});
@@ -98,76 +156,76 @@ Json json_of(const Fit& fit) {
   out["errors_known"] = fit.errors_known;
   out["probability"] = fit.errors_known ? Json(fit.probability) : Json(nullptr);
   out["aic"] = fit.aic;
+  out["fitted"] = Json::array();
+  for (const Prediction& p : fit.predictions) {
+    out["fitted"].push_back({{"en", p.en}});
+    if (times) out["fitted"].back()["tcol"] = p.tcol;
+  }
   out["findings"] = fit.findings;
   return out;
 }
 
-std::string rendered(const std::vector<Fit>& fits, const std::vector<Measurement>& data, const Options& o) {
-  if (o.output.format == console::Format::csv)
-    return console::render_all({parameter_table(fits), goodness_table(fits), residual_table(fits, data)}, o.output.format);
-  if (o.output.format != console::Format::json)
-    return console::render_all({parameter_table(fits), goodness_table(fits)}, o.output.format);
-  Json out{{"schema", "ricochet/fit/1"}, {"mass_eff", fits.front().request.mass_eff}, {"measurements", data.size()}};
+std::string json_of(const FitReport& report) {
+  const Table measured = measured_table(report.data);
+  Json out{{"schema", "ricochet/fit/1"},
+           {"mass_eff", report.fits.front().request.mass_eff},
+           {"assumed", report.assumptions}};
+  out["units"] = console::units_of(measured);
+  out["units"]["mass_eff"] = "kg";
+  out["measurements"] = console::rows_of(measured);
   out["results"] = Json::array();
-  for (const Fit& fit : fits) out["results"].push_back(json_of(fit));
-  const Table residuals = residual_table(fits, data);
-  out["units"] = console::units_of(residuals);
-  out["rows"] = console::rows_of(residuals);
+  for (const Fit& fit : report.fits) out["results"].push_back(json_of(fit, report.data.front().tcol > 0));
+  out["left_out"] = Json::array();
+  for (const auto& [request, reason] : report.left_out)
+    out["left_out"].push_back(
+        {{"law", text(request.law)}, {"alpha_of_speed", request.alpha_of_speed}, {"reason", reason}});
   return console::document(out);
 }
 
-/// Measured restitution with every law's, and under it what is left over.
-console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measurement>& data) {
-  const bool known = data.front().en_sigma > 0;
-  const std::size_t first = 3 + (known ? 1 : 0) + (data.front().tcol > 0 ? 2 : 0), stride = data.front().tcol > 0 ? 2 : 1;
-  std::string curves, leftovers;
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    const std::string column = std::to_string(first + i * stride), title = "title '" + fit_name(fits[i].request) + "'";
-    curves += ", 'fit.csv' skip 1 using 1:" + column + " with linespoints pt 0 lw 2 " + title;
-    leftovers += (i ? ", " : "plot ") + std::string("'fit.csv' skip 1 using 1:(") + (known ? "($2-$" + column + ")/$3" : "$2-$" + column) +
-                 ") with linespoints pt 7 ps 0.4 notitle";
+std::string rendered(const FitReport& report, console::Format format) {
+  if (format == console::Format::json) return json_of(report);
+  std::vector<Table> tables{parameter_table(report), goodness_table(report.fits)};
+  const Table found = findings_table(report);
+  if (!found.rows().empty()) tables.push_back(found);
+  if (format == console::Format::csv) tables.push_back(comparison_table(report));
+  return console::render_all(tables, format);
+}
+
+/// Every law that these data allow; where they allow none, that is what is wrong with them.
+void fit_all(FitReport& report, const std::vector<FitRequest>& requests, const std::string& file) {
+  bool misuse = false;
+  for (const FitRequest& request : requests) {
+    try {
+      report.fits.push_back(fit_law(request, report.data));
+    } catch (const NotConverged& failure) {
+      report.left_out.push_back({request, failure.what()});
+    } catch (const std::invalid_argument& failure) {
+      misuse = true;
+      report.left_out.push_back({request, failure.what()});
+    }
   }
-  return {"fit", "Measured restitution against impact velocity with the fitted laws; below, what is left over.",
-          "set logscale x\nset multiplot layout 2,1\nset grid\nset ylabel 'restitution'\nset key outside right\n"
-          "plot 'fit.csv' skip 1 using 1:2" + std::string(known ? ":3 with yerrorbars" : " with points") +
-              " pt 7 ps 0.6 lc rgb 'black' title 'measured'" + curves + "\nset xlabel 'impact velocity [m/s]'\nset ylabel '" +
-              (known ? "residual over its error" : "residual") + "'\n" + leftovers + "\nunset multiplot\n",
-          {{"fit.csv", residual_table(fits, data).csv()}}, 800, 640};
+  if (!report.fits.empty()) return;
+  const std::string reason = file + ": " + report.left_out.back().reason;
+  if (misuse) throw BadInput(reason);
+  throw console::Failed(reason);
 }
 
 }  // namespace
 
 console::Exit run_fit(const Options& options) {
-  const auto refuse = [](const char* flag, bool given) {
-    if (given) throw BadInput(std::string(flag) + ": must be left out with --fit");
-  };
-  refuse("--tcol", options.tcol.has_value());
-  refuse("--en", options.en.has_value());
-  refuse("--velocity", options.velocity.has_value());
-  refuse("--stiffness", options.stiffness.has_value());
-  refuse("--targets", !options.targets.empty());
-  refuse("--export", !options.engine.empty());
-  refuse("--method", !options.method.empty());
-  refuse("--report", !options.page.empty());
-  refuse("--threads", options.threads.has_value());
+  take_only(options, "--fit",
+            {"--fit", "--law", "--end", "--mass-eff", "--radius", "--density", "--radius2", "--density2", "--wall",
+             "--alpha-of-speed", "--figures", "--format", "--output"});
+  FitReport report;
   Options spheres = options;
   spheres.law = spheres.end = "";
-  const auto requests = requests_of(options, target_defaults(spheres).impact.mass_eff);
-  const auto data = read_measurements(options.fit);
-  std::vector<Fit> fits;
-  for (const FitRequest& request : requests) {
-    try {
-      fits.push_back(fit_law(request, data));
-    } catch (const NotConverged& failure) {
-      if (requests.size() == 1) throw;
-      console::complain("calibrate", failure.what());
-    } catch (const std::invalid_argument& misuse) {
-      throw BadInput(options.fit + ": " + misuse.what());
-    }
-  }
-  if (fits.empty()) throw console::Failed("no law could be fitted");
-  console::emit(options.output.file, rendered(fits, data, options));
-  if (!options.figures.empty()) console::draw(figure_of(fits, data), options.figures);
+  const TargetDefaults defaults = target_defaults(spheres);
+  report.assumptions = defaults.assumptions;
+  const auto requests = requests_of(options, defaults.impact.mass_eff, report.left_out);
+  report.data = read_measurements(options.fit);
+  fit_all(report, requests, options.fit);
+  console::emit(options.output.file, rendered(report, options.output.format));
+  if (!options.figures.empty()) console::draw(figure_of(report.fits, report.data), options.figures);
   return console::Exit::done;
 }
 

@@ -134,12 +134,19 @@ std::string shown(std::string_view text) {
   return line.empty() ? "nothing" : line;
 }
 
+void take_only(const Options& options, std::string_view mode, std::initializer_list<std::string_view> accepted) {
+  for (const std::string& name : options.given)
+    if (std::find(accepted.begin(), accepted.end(), name) == accepted.end())
+      throw BadInput(name + ": must be left out with " + std::string(mode));
+}
+
 TargetDefaults target_defaults(const Options& o) {
   TargetDefaults defaults;
-  Job unused;
+  Job job;
   if (!o.law.empty()) defaults.law = law_named("--law", o.law);
   if (!o.end.empty()) defaults.end = end_named("--end", o.end);
-  defaults.impact = {positive("--velocity", o.velocity.value_or(default_velocity)), mass_eff(o, unused)};
+  defaults.impact = {positive("--velocity", o.velocity.value_or(default_velocity)), mass_eff(o, job)};
+  defaults.assumptions = job.assumptions;
   if (o.stiffness) defaults.stiffness = positive("--stiffness", *o.stiffness);
   return defaults;
 }

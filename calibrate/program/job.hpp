@@ -3,8 +3,10 @@
 #include <calibrate/calibration.hpp>
 #include <console/program.hpp>
 
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -24,7 +26,7 @@ struct Options {
   std::optional<unsigned> threads;
   std::string fit, figures;  ///< the file of --fit, the folder of --figures; empty: none
   bool alpha_of_speed = false;
-  bool format_given = false;
+  std::vector<std::string> given;  ///< the options that were typed, "--law"
   std::string engine;  ///< of --export; empty: none
   std::string page;    ///< of --report; empty: none
   console::OutputOptions output;
@@ -32,6 +34,9 @@ struct Options {
 
 /// Adds every option of the program to `app`.
 void add_options(CLI::App& app, Options& options);
+
+/// Throws console::BadInput naming the first option that was typed and is none of `accepted`, which go with `mode`.
+void take_only(const Options& options, std::string_view mode, std::initializer_list<std::string_view> accepted);
 
 /// What the options ask for, with the defaults that had to be assumed in words.
 struct Job {
@@ -52,6 +57,7 @@ struct TargetDefaults {
   ContactEnd end = ContactEnd::force;
   Impact impact;
   std::optional<double> stiffness = {};
+  std::vector<std::string> assumptions = {};  ///< what of the mass had to be assumed, in words
 };
 
 /// Throws as job_of does.

@@ -42,7 +42,8 @@ int main(int argc, char** argv) {
   Options options;
   add_options(app, options);
   return console::run_program(app, argc, argv, [&] {
-    options.format_given = app.count("--format") > 0;
+    for (const CLI::Option* option : app.get_options())
+      if (option->count() > 0) options.given.push_back(option->get_name());
     return work(options);
   });
 }

@@ -19,11 +19,11 @@ struct Column {
   std::string_view name, unit, accepted;
   double Measurement::*member;
 };
-constexpr std::array columns{Column{"velocity", " [m/s]", "a number > 0", &Measurement::velocity},
+constexpr std::array columns{Column{"velocity", " [m/s]", "a number in [1e-30, 1e30]", &Measurement::velocity},
                              Column{"en", "", "in (0, 1]", &Measurement::en},
-                             Column{"en_sigma", "", "a number > 0", &Measurement::en_sigma},
-                             Column{"tcol", " [s]", "a number > 0", &Measurement::tcol},
-                             Column{"tcol_sigma", " [s]", "a number > 0", &Measurement::tcol_sigma}};
+                             Column{"en_sigma", "", "a number in [1e-30, 1e30]", &Measurement::en_sigma},
+                             Column{"tcol", " [s]", "a number in [1e-30, 1e30]", &Measurement::tcol},
+                             Column{"tcol_sigma", " [s]", "a number in [1e-30, 1e30]", &Measurement::tcol_sigma}};
 
 /// Reads one file; every complaint begins with where it is.
 class Reader {
@@ -44,8 +44,9 @@ class Reader {
           data_.push_back(row(split(line)));
       }
     }
-    if (data_.empty()) throw BadInput(path_ + ":" + std::to_string(std::max<std::size_t>(line_, 1)) +
-                                      ": no rows: must be a header with velocity and en, and measurements");
+    if (data_.empty())
+      throw BadInput(path_ + ":" + std::to_string(std::max<std::size_t>(line_, 1)) +
+                     ": no rows: must be a header with velocity and en, and measurements");
     return data_;
   }
 
@@ -78,17 +79,20 @@ class Reader {
     for (const char* needed : {"velocity", "en"})
       if (!has(needed)) fail("column " + std::string(needed) + ": missing: must be given");
     if (has("tcol") != has("tcol_sigma")) fail("tcol and tcol_sigma: must be given together");
-    if (has("tcol") && !has("en_sigma")) fail("column en_sigma: missing: must be given with tcol, to weigh one against the other");
+    if (has("tcol") && !has("en_sigma"))
+      fail("column en_sigma: missing: must be given with tcol, to weigh one against the other");
   }
 
   Measurement row(const std::vector<std::string_view>& fields) const {
     if (fields.size() != order_.size())
-      fail("fields = " + std::to_string(fields.size()) + ": must be " + std::to_string(order_.size()) + ", one a column");
+      fail("fields = " + std::to_string(fields.size()) + ": must be " + std::to_string(order_.size()) +
+           ", one a column");
     Measurement m{};
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const Column& column = *order_[i];
       const auto value = console::parse_number(fields[i]);
-      if (!value || *value <= 0 || (column.name == "en" && *value > 1))
+      const bool is_en = column.member == &Measurement::en;
+      if (!value || !(*value > 0) || (is_en ? *value > 1 : *value < 1e-30 || *value > 1e30))
         fail(std::string(column.name) + " = " + shown(fields[i]) + ": must be " + std::string(column.accepted));
       m.*column.member = *value;
     }

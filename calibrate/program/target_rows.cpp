@@ -60,8 +60,25 @@ void append_text(std::string& out, std::string_view text) {
 
 }  // namespace
 
-TargetRows::TargetRows(std::string file, std::size_t line, std::string_view header, const TargetDefaults& defaults)
-    : file_(std::move(file)), defaults_(defaults) {
+std::string take_header(console::LineBlocks& source, console::LineBlocks::Block& block, const std::string& file,
+                        std::size_t& line_number) {
+  while (source.next(block)) {
+    std::string_view text = block.text;
+    if (block.first_line == 1 && text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    for (line_number = block.first_line; !text.empty(); ++line_number) {
+      const std::string line(console::take_line(text));
+      if (console::is_csv_remark(line)) continue;
+      block.text = std::string(text);
+      block.first_line = line_number + 1;
+      return line;
+    }
+  }
+  throw BadInput(file + ":1: header missing: must be a row of the columns tcol and en, and others");
+}
+
+TargetRows::TargetRows(std::string file, std::size_t line, std::string_view header, const TargetDefaults& defaults,
+                       const DirectCalibrator& calibrator)
+    : file_(std::move(file)), defaults_(defaults), calibrator_(calibrator) {
   std::array<std::string_view, most_columns> names_read;
   const std::string where = file_ + ":" + std::to_string(line) + ": ";
   const auto found = console::split_csv(header, names_read);
@@ -122,7 +139,8 @@ void TargetRows::read(Row& row) const {
   Request& r = row.request;
   r.target.tcol = number(row, tcol, std::nullopt);
   r.target.en = number(row, en, std::nullopt);
-  r.target.impact = {number(row, velocity, defaults_.impact.velocity), number(row, mass_eff, defaults_.impact.mass_eff)};
+  r.target.impact = {number(row, velocity, defaults_.impact.velocity),
+                     number(row, mass_eff, defaults_.impact.mass_eff)};
   r.law = row.text[law].empty() ? defaults_.law : law_named("law", row.text[law]);
   r.end = row.text[end].empty() ? defaults_.end : end_named("end", row.text[end]);
   r.stiffness = defaults_.stiffness;

@@ -2,7 +2,6 @@
 
 #include "target_rows.hpp"
 
-#include <console/number.hpp>
 #include <console/output.hpp>
 #include <console/progress.hpp>
 
@@ -31,22 +30,6 @@ class Sink {
  private:
   std::unique_ptr<AtomicFile> file_;
 };
-
-/// Takes the lines up to and including the header from the first block.
-std::string take_header(LineBlocks& source, LineBlocks::Block& block, const std::string& file, std::size_t& line_number) {
-  while (source.next(block)) {
-    std::string_view text = block.text;
-    if (block.first_line == 1 && text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    for (line_number = block.first_line; !text.empty(); ++line_number) {
-      const std::string line(console::take_line(text));
-      if (console::is_csv_remark(line)) continue;
-      block.text = std::string(text);
-      block.first_line = line_number + 1;
-      return line;
-    }
-  }
-  throw BadInput(file + ":1: header missing: must be a row of the columns tcol and en, and others");
-}
 
 /// Answers the blocks on `threads` threads; which takes which does not show in the answers.
 std::vector<Answers> answered(const TargetRows& rows, const std::vector<LineBlocks::Block>& blocks, unsigned threads) {
@@ -92,17 +75,13 @@ class Complaints {
 };
 
 void refuse_what_is_not_for_files(const Options& o) {
-  const auto refuse = [](const char* flag, const std::string& value) {
-    throw BadInput(flag, value, "left out with --targets");
-  };
-  if (o.tcol) refuse("--tcol", console::shortest(*o.tcol));
-  if (o.en) refuse("--en", console::shortest(*o.en));
-  if (!o.engine.empty()) refuse("--export", o.engine);
-  if (!o.page.empty()) refuse("--report", o.page);
+  take_only(o, "--targets", {"--targets", "--law", "--end", "--velocity", "--mass-eff", "--radius", "--density", "--radius2",
+                             "--density2", "--wall", "--stiffness", "--method", "--threads", "--format", "--output"});
   if (o.method == "nlopt") throw BadInput("--method", o.method, "direct with --targets");
   if (o.end == "both") throw BadInput("--end", o.end, "overlap or force with --targets: one row out per row in");
   if (o.law == "all") throw BadInput("--law", o.law, "a single law with --targets: one row out per row in");
-  if (o.format_given && o.output.format != console::Format::csv)
+  const bool format_given = std::find(o.given.begin(), o.given.end(), "--format") != o.given.end();
+  if (format_given && o.output.format != console::Format::csv)
     throw BadInput("--format: must be csv with --targets, whose rows are written as they are read");
 }
 
@@ -116,7 +95,8 @@ console::Exit run_targets(const Options& options) {
   std::vector<LineBlocks::Block> blocks(1);
   std::size_t line = 1;
   const std::string header = take_header(source, blocks[0], options.targets, line);
-  const TargetRows rows(options.targets, line, header, defaults);
+  const DirectCalibrator calibrator;
+  const TargetRows rows(options.targets, line, header, defaults, calibrator);
   Sink sink(options.output.file);
   sink.write(rows.header());
   console::Progress progress("calibrate", source.size());

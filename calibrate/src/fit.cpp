@@ -1,3 +1,4 @@
+#include "fit_findings.hpp"
 #include "fit_model.hpp"
 
 #include <ricochet/detail/require.hpp>
@@ -15,6 +16,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+constexpr double far_off = 1e300;
 
 /// The data against a model, as weighted residuals of u; remembers the best u it was asked about.
 class Residuals {
@@ -66,39 +69,38 @@ class Residuals {
 double objective(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
   auto& residuals = *static_cast<Residuals*>(data);
   const VectorXd u = Eigen::Map<const VectorXd>(x.data(), static_cast<Index>(x.size()));
-  const double value = residuals.value(u);
+  std::fill(gradient.begin(), gradient.end(), 0);
+  const double value = u.allFinite() ? residuals.value(u) : far_off;
+  if (!(value < far_off)) return far_off;  // where only a line search that lost its way comes
   if (!gradient.empty()) {
     const VectorXd g = 2 / residuals.scale * residuals.jacobian(u).transpose() * residuals(u);
-    std::copy(g.begin(), g.end(), gradient.begin());
+    if (g.allFinite()) std::copy(g.begin(), g.end(), gradient.begin());
   }
   return value / residuals.scale;
 }
 
 /// Gauss-Newton from the best point while it gains: the last digits, which χ² itself is too flat to show.
-void polish(Residuals& residuals) {
+void polish(Residuals& residuals, const Box& box) {
   for (int step = 0; step < 20; ++step) {
     const double before = residuals.best_value;
     const MatrixXd j = residuals.jacobian(residuals.best);
     const VectorXd move = j.colPivHouseholderQr().solve(residuals(residuals.best));
     if (!move.allFinite()) return;
-    residuals.value(residuals.best - move);
+    residuals.value((residuals.best - move).cwiseMax(box.low).cwiseMin(box.high));
     if (!(residuals.best_value < before * (1 - 1e-12))) return;
   }
 }
 
-/// NLopt's SLSQP from the best point so far, within a box that no data lead out of.
-void minimise(Residuals& residuals) {
+/// NLopt's SLSQP from the best point so far, kept near it: the scan was fine, and far off the forward model is slow.
+void minimise(Residuals& residuals, const Box& box) {
   residuals.scale = std::max(residuals.best_value, 1e-300);
-  const auto n = static_cast<unsigned>(residuals.best.size());
-  nlopt::opt optimizer(nlopt::LD_SLSQP, n);
-  std::vector<double> x(residuals.best.begin(), residuals.best.end()), low(n), high(n);
-  for (unsigned i = 0; i < n; ++i) {
-    low[i] = x[i] - 15;
-    high[i] = x[i] + 15;
-  }
+  std::vector<double> x(residuals.best.begin(), residuals.best.end());
+  nlopt::opt optimizer(nlopt::LD_SLSQP, static_cast<unsigned>(x.size()));
   optimizer.set_min_objective(objective, &residuals);
-  optimizer.set_lower_bounds(low);
-  optimizer.set_upper_bounds(high);
+  const VectorXd low = box.low.cwiseMax((residuals.best.array() - 2).matrix());
+  const VectorXd high = box.high.cwiseMin((residuals.best.array() + 2).matrix());
+  optimizer.set_lower_bounds({low.begin(), low.end()});
+  optimizer.set_upper_bounds({high.begin(), high.end()});
   optimizer.set_ftol_rel(1e-10);
   optimizer.set_maxeval(100);
   double value;
@@ -108,102 +110,84 @@ void minimise(Residuals& residuals) {
   }
 }
 
-void require_data(const FitRequest& request, const std::vector<Measurement>& data, Index unknowns) {
-  using detail::require;
-  using detail::require_positive;
-  require_positive("mass_eff", request.mass_eff);
-  std::size_t observations = 0;
-  for (const Measurement& m : data) {
-    require_positive("velocity", m.velocity);
-    require(m.en > 0 && m.en <= 1, "en", m.en, "in (0, 1]");
-    detail::require_not_negative("en_sigma", m.en_sigma);
-    require((m.en_sigma > 0) == (data[0].en_sigma > 0), "en_sigma", m.en_sigma, "> 0 for every measurement or for none");
-    require((m.tcol > 0) == (data[0].tcol > 0), "tcol", m.tcol, "> 0 for every measurement or for none");
-    if (m.tcol > 0) {
-      require_positive("tcol_sigma", m.tcol_sigma);
-      require(m.en_sigma > 0, "en_sigma", m.en_sigma, "> 0 where there are collision times, to weigh one against the other");
-    }
-    observations += m.tcol > 0 ? 2 : 1;
+/// The u of least χ²: from the best of the model's starts, begun anew until a run gains nothing.
+VectorXd least_squares(const FitModel& model, const std::vector<Measurement>& data) {
+  const Box box = model.box();
+  Residuals residuals(model, data);
+  const Measurement& typical = data[data.size() / 2];
+  for (const auto& start : model.starts(typical.velocity, typical.tcol))
+    residuals.value(start.cwiseMax(box.low).cwiseMin(box.high));
+  if (!(residuals.best_value < far_off)) throw NotConverged("no start comes near these data");
+  for (double before = std::numeric_limits<double>::infinity(); residuals.best_value < before * (1 - 1e-6);) {
+    before = residuals.best_value;
+    minimise(residuals, box);
+    polish(residuals, box);
   }
-  require(observations > static_cast<std::size_t>(unknowns), "measurements", static_cast<double>(data.size()),
-          "more than there are parameters");
-  if (!offers(request.law, request.end) || (request.law == LawName::fractional && request.end == ContactEnd::overlap))
-    throw std::invalid_argument("end = " + std::string(text(request.end)) + ": must be force for the law " +
-                                std::string(text(request.law)));
+  return residuals.best;
 }
 
-/// Student's t of a slope of the restitution's residuals against ln v: does what is left over follow the speed?
-double trend(const VectorXd& r, const std::vector<Measurement>& data) {
-  const std::size_t stride = data[0].tcol > 0 ? 2 : 1;
-  const double n = static_cast<double>(data.size());
-  double x_mean = 0, y_mean = 0, xx = 0, xy = 0, yy = 0;
-  for (std::size_t i = 0; i < data.size(); ++i) {
-    x_mean += std::log(data[i].velocity) / n;
-    y_mean += r[static_cast<Index>(i * stride)] / n;
-  }
-  for (std::size_t i = 0; i < data.size(); ++i) {
-    const double x = std::log(data[i].velocity) - x_mean, y = r[static_cast<Index>(i * stride)] - y_mean;
-    xx += x * x, xy += x * y, yy += y * y;
-  }
-  const double rest = yy - (xx > 0 ? xy * xy / xx : 0);
-  return n > 2 && xx > 0 && rest > 0 ? xy / std::sqrt(xx * rest / (n - 2)) : 0;
-}
-
-bool constant_restitution(const FitRequest& request) {
-  return request.law != LawName::kuwabara_kono && !request.alpha_of_speed;
-}
-
-/// What these data cannot tell, and what this law cannot do.
-std::vector<std::string> findings(const Fit& fit, const VectorXd& residuals, const std::vector<Measurement>& data) {
-  std::vector<std::string> said;
-  const bool with_times = data[0].tcol > 0;
-  if (!with_times) said.push_back("no collision times: the stiffness cannot be told, only what sets the restitution");
-  if (fit.request.law == LawName::fractional && !fit.request.alpha_of_speed && with_times)
-    said.push_back("k and c cannot be told apart: only c^alpha k^(1-alpha) shows");
-  const bool misses = fit.errors_known && fit.probability < 1e-3;
-  if (constant_restitution(fit.request) && std::abs(trend(residuals, data)) > 4)
-    said.push_back("misfit: the law gives the same restitution at every speed, the data change with it");
-  else if (misses)
-    said.push_back("misfit: a chi2 this large comes by chance less than once in a thousand");
-  for (const Estimate& p : fit.parameters)
-    if (!(p.error < std::abs(p.value)))
-      said.push_back(p.name + " is not determined: its standard error is as large as itself");
-  return said;
-}
-
-/// Reported parameters, errors and correlations from the covariance of u.
-void report(Fit& fit, const FitModel& model, const VectorXd& u, const MatrixXd& covariance) {
-  const auto at = model.parameters(u);
-  const auto n = static_cast<Index>(at.size());
-  MatrixXd slope(n, u.size());
+/// d(parameters)/du, by central differences.
+MatrixXd slope_of(const FitModel& model, const VectorXd& u) {
   constexpr double step = 1e-5;
+  MatrixXd slope(u.size(), u.size());
   for (Index i = 0; i < u.size(); ++i) {
     VectorXd ahead = u, behind = u;
     ahead[i] += step;
     behind[i] -= step;
     const auto a = model.parameters(ahead), b = model.parameters(behind);
-    for (Index p = 0; p < n; ++p)
+    for (Index p = 0; p < u.size(); ++p)
       slope(p, i) = (a[static_cast<std::size_t>(p)].value - b[static_cast<std::size_t>(p)].value) / (2 * step);
   }
-  const MatrixXd c = slope * covariance * slope.transpose();
-  for (Index p = 0; p < n; ++p) {
-    const auto& parameter = at[static_cast<std::size_t>(p)];
-    fit.parameters.push_back({parameter.name, parameter.value, std::sqrt(c(p, p)), parameter.unit});
-    fit.correlations.emplace_back();
-    for (Index q = 0; q < n; ++q) fit.correlations.back().push_back(c(p, q) / std::sqrt(c(p, p) * c(q, q)));
-  }
+  return slope;
+}
+
+/// Throws where these parameters, as many as are named, cannot be told from the data.
+[[noreturn]] void cannot_tell(const std::vector<std::string>& names) {
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : " and ") + name;
+  throw NotConverged(names.size() == 1 ? list + " has no effect on these data, which cannot tell it"
+                                       : "these data cannot tell " + list + " apart");
 }
 
 /// (JᵀJ)⁻¹, from columns of unit length; throws where a direction leaves the data unchanged.
-MatrixXd covariance_of(const MatrixXd& jacobian, const FitRequest& request) {
+MatrixXd covariance_of(const MatrixXd& jacobian, const std::vector<Parameter>& parameters) {
   const VectorXd length = jacobian.colwise().norm();
-  if (!(length.minCoeff() > 0)) throw NotConverged(fit_name(request) + ": a parameter has no effect on these data");
+  std::vector<std::string> names;
+  for (Index i = 0; i < length.size(); ++i)
+    if (!(length[i] > 0)) names.push_back(parameters[static_cast<std::size_t>(i)].name);
+  if (!names.empty()) cannot_tell({names.front()});
   const MatrixXd scaled = jacobian * length.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled.transpose() * scaled);
-  if (!(eigen.eigenvalues().minCoeff() > 1e-12))
-    throw NotConverged(fit_name(request) + ": these data cannot tell its parameters apart");
-  const MatrixXd inverse = eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled.transpose() * scaled);  // eigenvalues rise
+  if (!(eigen.eigenvalues()[0] > 1e-12)) {
+    for (Index i = 0; i < length.size(); ++i)
+      if (std::abs(eigen.eigenvectors()(i, 0)) > 0.1) names.push_back(parameters[static_cast<std::size_t>(i)].name);
+    cannot_tell(names);
+  }
+  const MatrixXd inverse =
+      eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
   return length.cwiseInverse().asDiagonal() * inverse * length.cwiseInverse().asDiagonal();
+}
+
+/// The parameters with errors √diag C and correlations, C = S (JᵀJ)⁻¹ Sᵀ scatter².
+void report(Fit& fit, const FitModel& model, const VectorXd& u, const MatrixXd& covariance, double scatter) {
+  const MatrixXd slope = slope_of(model, u);
+  const MatrixXd c = slope * covariance * slope.transpose();
+  const auto parameters = model.parameters(u);
+  for (Index p = 0; p < u.size(); ++p) {
+    const auto& parameter = parameters[static_cast<std::size_t>(p)];
+    fit.parameters.push_back({parameter.name, parameter.value, scatter * std::sqrt(c(p, p)), parameter.unit});
+    fit.correlations.emplace_back();
+    for (Index q = 0; q < u.size(); ++q) fit.correlations.back().push_back(c(p, q) / std::sqrt(c(p, p) * c(q, q)));
+  }
+}
+
+/// χ² and what follows from it.
+void judge(Fit& fit, const VectorXd& residuals) {
+  const double n = static_cast<double>(residuals.size()), p = static_cast<double>(fit.unknowns());
+  // Where σ is not known, no less than what the forward model's own error leaves.
+  const double least = fit.errors_known ? 0 : n * model_error * model_error;
+  fit.aic = fit.errors_known ? fit.chi2 + 2 * p : n * std::log(std::max(fit.chi2, least) / n) + 2 * (p + 1);
+  if (fit.errors_known) fit.probability = boost::math::gamma_q(0.5 * static_cast<double>(fit.freedom), 0.5 * fit.chi2);
 }
 
 }  // namespace
@@ -213,34 +197,24 @@ std::string fit_name(const FitRequest& request) {
 }
 
 Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data) {
-  if (data.empty()) throw std::invalid_argument("measurements = 0: must be more than there are parameters");
+  require_fit(request, data);
   const bool with_times = data[0].tcol > 0;
   const auto model = fit_model(request, with_times);
-  require_data(request, data, model->unknowns());
-  Residuals residuals(*model, data);
-  for (const auto& start : model->starts(data[data.size() / 2].velocity, data[data.size() / 2].tcol)) residuals.value(start);
-  // Begun anew until a run gains nothing.
-  for (double before = std::numeric_limits<double>::infinity(); residuals.best_value < before * (1 - 1e-6);) {
-    before = residuals.best_value;
-    minimise(residuals);
-    polish(residuals);
-  }
-  const VectorXd u = residuals.best, r = residuals(u);
-  const MatrixXd covariance = covariance_of(residuals.jacobian(u), request);
+  require_observations(request, data, model->unknowns());
+  const VectorXd u = least_squares(*model, data);
+  const Residuals residuals(*model, data);
+  const VectorXd r = residuals(u);
 
   Fit fit{request, {}, {}, {}, r.squaredNorm(), static_cast<std::size_t>(r.size()), 0, data[0].en_sigma > 0, 0, 1};
   fit.freedom = fit.observations - static_cast<std::size_t>(u.size());
-  const double freedom = static_cast<double>(fit.freedom), n = static_cast<double>(fit.observations);
-  report(fit, *model, u, fit.errors_known ? covariance : MatrixXd(covariance * (fit.chi2 / freedom)));
-  const double count = static_cast<double>(u.size());
-  fit.aic = fit.errors_known ? fit.chi2 + 2 * count
-                             : n * std::log(std::max(fit.chi2, std::numeric_limits<double>::min()) / n) + 2 * (count + 1);
-  if (fit.errors_known) fit.probability = boost::math::gamma_q(0.5 * freedom, 0.5 * fit.chi2);
+  const double scatter = std::sqrt(fit.chi2 / static_cast<double>(fit.freedom));
+  report(fit, *model, u, covariance_of(residuals.jacobian(u), model->parameters(u)), fit.errors_known ? 1 : scatter);
+  judge(fit, r);
   for (const Measurement& m : data) fit.predictions.push_back(model->predict(u, m.velocity));
   if (!with_times)
     for (Prediction& p : fit.predictions) p.tcol = 0;
   fit.solution.assign(u.begin(), u.end());
-  fit.findings = findings(fit, r, data);
+  fit.findings = findings(fit, model->box(), r, data);
   return fit;
 }
 

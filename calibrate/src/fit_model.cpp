@@ -3,6 +3,7 @@
 #include "forward.hpp"
 
 #include <ricochet/contact/damping_ratio.hpp>
+#include <ricochet/contact/fractional_contact.hpp>
 
 #include <cmath>
 
@@ -20,10 +21,22 @@ VectorXd vector(std::initializer_list<double> values) {
   return v;
 }
 
-const ForwardFractional& forward_fractional() {
-  static const ForwardFractional table;
-  return table;
+const ForwardFractional& forward_fractional(ContactEnd end) {
+  static const ForwardFractional by_force(ContactEnd::force);
+  if (end == ContactEnd::force) return by_force;
+  static const ForwardFractional by_overlap(ContactEnd::overlap);
+  return by_overlap;
 }
+
+/// The α up to which the bodies part.
+double greatest_alpha(ContactEnd end) { return end == ContactEnd::force ? 1 : overlap_limit; }
+
+/// e_n = 1 − O(e^u) for the loss that belongs to u: below −16 data cannot tell it from 1, nor central differences its slope.
+constexpr double least_loss = -16;
+/// ln(α/(α_max − α)): at 6.9, α is a thousandth short of where nothing rebounds.
+constexpr double greatest_logit = 6.9;
+/// |ln k|, |ln c|, far outside what times and masses within 10^±50 need and inside what doubles hold.
+constexpr double greatest_log = 400;
 
 const ForwardDamped& forward_damped(LawName law, ContactEnd end) {
   static const ForwardDamped kuwabara_kono(LawName::kuwabara_kono, ContactEnd::force);
@@ -37,10 +50,13 @@ const ForwardDamped& forward_damped(LawName law, ContactEnd end) {
 class Base : public FitModel {
  public:
   Base(const FitRequest& request, bool with_times) : request_(request), with_times_(with_times) {}
-  Index unknowns() const override { return with_times_ ? 2 : 1; }
+  Box box() const override {
+    if (!with_times_) return {vector({least_loss}), vector({greatest_loss()})};
+    return {vector({least_loss, -greatest_log}), vector({greatest_loss(), greatest_log})};
+  }
   std::vector<VectorXd> starts(double velocity, double tcol) const override {
     std::vector<VectorXd> all;
-    for (double loss = -6; loss <= 2; loss += 0.5) {
+    for (double loss = -6; loss <= std::min(2.0, greatest_loss()); loss += 0.5) {
       VectorXd u(unknowns());
       u[0] = loss;
       if (with_times_) {
@@ -57,6 +73,8 @@ class Base : public FitModel {
 
  protected:
   virtual double time_power() const { return 2; }
+  virtual double greatest_loss() const = 0;
+  bool by_force() const { return request_.end == ContactEnd::force; }
   double stiffness(const VectorXd& u) const { return with_times_ ? std::exp(u[1]) : 1; }
   double mass() const { return request_.mass_eff; }
 
@@ -78,6 +96,9 @@ class LinearModel : public Base {
   }
 
  private:
+  double greatest_loss() const override {
+    return by_force() ? 20 : -0.02;
+  }  // by overlap nothing rebounds from β = 1 on
   Linear law(const VectorXd& u) const {
     const double k = stiffness(u);
     return Linear(k, 2 * std::exp(u[0]) * std::sqrt(mass() * k));
@@ -98,6 +119,7 @@ class HystereticModel : public Base {
   }
 
  private:
+  double greatest_loss() const override { return 40; }
   Hysteretic law(const VectorXd& u) const {
     const double k = stiffness(u);
     return Hysteretic(k, k * (1 + std::exp(u[0])));
@@ -124,38 +146,48 @@ class HertzianModel : public Base {
   }
 
  private:
+  double greatest_loss() const override { return by_force() ? 20 : 0.5 * std::log(5.0) - 0.02; }  // γ = √5 β
   bool is_kuwabara_kono() const { return request_.law == LawName::kuwabara_kono; }
   double exponent() const { return is_kuwabara_kono() ? 0.5 : 0.25; }
   double speed_power() const { return exponent() - (exponent() + 1) / 5; }
   double time_power() const override { return 2.5; }
 };
 
-/// u = (ln α/(1−α), ln c^α k^{1−α}).
+/// u = (ln α/(α_max − α), ln c^α k^{1−α}).
 class FractionalModel : public Base {
  public:
   using Base::Base;
   Prediction predict(const VectorXd& u, double) const override {
-    const double alpha = logistic(u[0]);
-    const Reduced r = forward_fractional()(alpha);
+    const double alpha = alpha_at(u);
+    const Reduced r = forward_fractional(request_.end)(alpha);
     return {r.en, r.tcol * std::pow(stiffness(u) / mass(), -1 / (2 - alpha))};
   }
   std::vector<Parameter> parameters(const VectorXd& u) const override {
-    std::vector<Parameter> all{{"alpha", logistic(u[0]), ""}};
+    std::vector<Parameter> all{{"alpha", alpha_at(u), ""}};
     if (with_times_) all.push_back({"c^alpha k^(1-alpha)", stiffness(u), "kg s^(alpha-2)"});
     return all;
   }
+
+ private:
+  double greatest_loss() const override { return greatest_logit; }
+  double alpha_at(const VectorXd& u) const { return greatest_alpha(request_.end) * logistic(u[0]); }
 };
 
 /// u = (a, b[, ln k, ln c]): now k and c are told apart, because α changes.
 class SpeedModel : public FitModel {
  public:
-  SpeedModel(const FitRequest& request, bool with_times) : mass_(request.mass_eff), with_times_(with_times) {}
-  Index unknowns() const override { return with_times_ ? 4 : 2; }
+  SpeedModel(const FitRequest& request, bool with_times) : request_(request), with_times_(with_times) {}
+  Box box() const override {
+    // b = ±20 turns e_n from 1 to 0 within a third of a decade.
+    if (!with_times_) return {vector({-1500, -20}), vector({1500, 20})};
+    return {vector({-1500, -20, -greatest_log, -greatest_log}), vector({1500, 20, greatest_log, greatest_log})};
+  }
   Prediction predict(const VectorXd& u, double velocity) const override {
-    const double alpha = logistic(u[0] + u[1] * std::log(velocity));
-    const Reduced r = forward_fractional()(alpha);
+    const double logit = std::min(u[0] + u[1] * std::log(velocity), greatest_logit);
+    const double alpha = greatest_alpha(request_.end) * logistic(logit);
+    const Reduced r = forward_fractional(request_.end)(alpha);
     if (!with_times_) return {r.en, 0};
-    return {r.en, r.tcol * std::exp(-(alpha * u[3] + (1 - alpha) * u[2] - std::log(mass_)) / (2 - alpha))};
+    return {r.en, r.tcol * std::exp(-(alpha * u[3] + (1 - alpha) * u[2] - std::log(request_.mass_eff)) / (2 - alpha))};
   }
   std::vector<Parameter> parameters(const VectorXd& u) const override {
     std::vector<Parameter> all{{"a", u[0], ""}, {"b", u[1], ""}};
@@ -174,14 +206,14 @@ class SpeedModel : public FitModel {
           all.push_back(vector({at_one, slope}));
           continue;
         }
-        const double k = mass_ * 10 / (tcol * tcol);
+        const double k = request_.mass_eff * 10 / (tcol * tcol);
         all.push_back(vector({at_one, slope, std::log(k), std::log(k * tcol)}));
       }
     return all;
   }
 
  private:
-  double mass_;
+  FitRequest request_;
   bool with_times_;
 };
 

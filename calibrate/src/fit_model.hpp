@@ -8,13 +8,23 @@
 
 namespace ricochet::calibration {
 
-/// A law as a function of the impact velocity, under parameters u that may take any value.
+/// Error of a model's e_n, and relative of its t_col.
+inline constexpr double model_error = 1e-9;
+
+/// Where the search goes: beyond, the law differs from an elastic or a wholly lossy one by less than can be told, or the
+/// bodies no longer part.
+struct Box {
+  Eigen::VectorXd low, high;
+};
+
+/// A law as a function of the impact velocity, under parameters u within a box.
 class FitModel {
  public:
   virtual ~FitModel() = default;
-  virtual Eigen::Index unknowns() const = 0;
+  virtual Box box() const = 0;
+  Eigen::Index unknowns() const { return box().low.size(); }
   virtual Prediction predict(const Eigen::VectorXd& u, double velocity) const = 0;
-  /// What is told the user, as a function of u.
+  /// What is told the user, as a function of u: one for each unknown.
   virtual std::vector<Parameter> parameters(const Eigen::VectorXd& u) const = 0;
   /// Starting points, among which the fit takes the best: losses from small to great. `velocity` and `tcol` are typical
   /// of the data; tcol is 0 where they have no times.

@@ -31,15 +31,20 @@ class ForwardDamped {
   std::vector<Pair> panels_;
 };
 
-/// The fractional law ended by force, as a function of α: e_n and τ = t_col A^{1/(2−α)}. Panels up to 0.97, the closed form
-/// beyond. Error: 1e-10.
+/// The fractional law as a function of α: e_n and τ = t_col A^{1/(2−α)}. By force, panels in α up to 0.97 and the closed form
+/// beyond. By overlap e_n falls to 0 like √(overlap_limit − α), so the panels are in w = √(1 − α/overlap_limit), down to
+/// w = 0.02 (e_n = 0.012). Error: 1e-10, beyond the panels that of fractional_contact.
 class ForwardFractional {
  public:
-  ForwardFractional();
+  explicit ForwardFractional(ContactEnd end);
+  /// 0 ≤ α < 1, or < overlap_limit; throws std::invalid_argument otherwise.
   Reduced operator()(double alpha) const;
 
  private:
-  static constexpr std::array<double, 8> edges{0, 0.25, 0.5, 0.7, 0.82, 0.89, 0.94, 0.97};
+  double variable(double alpha) const;
+
+  ContactEnd end_;
+  std::vector<double> edges_;  // of the panels, rising
   struct Pair {
     detail::Panel en, tau;
   };

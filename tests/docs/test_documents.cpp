@@ -8,10 +8,12 @@
 #include <sys/wait.h>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdio>
 #include <regex>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -75,6 +77,17 @@ void update(std::vector<std::string>& lines, const Command& command, std::vector
   lines.insert(at(command.first_output), printed.begin(), printed.end());
 }
 
+/// Every key of the document but those of data (`rows`) and of `units`, whose names are the data's.
+void collect_keys(const nlohmann::json& document, std::set<std::string>& keys) {
+  if (document.is_array())
+    for (const auto& element : document) collect_keys(element, keys);
+  if (!document.is_object()) return;
+  for (const auto& [key, value] : document.items()) {
+    keys.insert(key);
+    if (key != "rows" && key != "units") collect_keys(value, keys);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("every command in the documents does what they say") {
@@ -111,6 +124,30 @@ TEST_CASE("every command in the documents does what they say") {
 TEST_CASE("the README's C++ is the example that the installed library builds") {
   const std::string readme = read_file(root / "README.md");
   CHECK(readme.find("```cpp\n" + read_file(root / "docs/examples/restitution.cpp") + "```\n") != std::string::npos);
+}
+
+TEST_CASE("every key of a JSON document is described") {
+  const std::pair<const char*, const char*> documents_of[] = {
+      {"calibration", "calibrate --tcol 1e-4 --en 0.001"},
+      {"fit", "calibrate --fit data/restitution_ice_bridges1984.csv --alpha-of-speed"},
+      {"export", "calibrate --tcol 1e-4 --en 0.5 --law linear --export lammps"},
+      {"<study>", "verify table2"}};
+  const std::string text = read_file(root / "docs/json.md");
+  const TemporaryFolder folder;
+  fs::create_directory_symlink(root / "data", folder / "data");
+  for (const auto& [kind, command] : documents_of) {
+    const auto begin = text.find("## `ricochet/" + std::string(kind) + "/1`");
+    REQUIRE(begin != std::string::npos);
+    const std::string section = text.substr(begin, text.find("\n## ", begin) - begin);
+    std::set<std::string> keys;
+    collect_keys(nlohmann::json::parse(joined(run(std::string(command) + " --format json", folder).lines)), keys);
+    keys.erase("schema");
+    CHECK(keys.size() > 3);
+    for (const std::string& key : keys) {
+      INFO(command << ": " << key);
+      CHECK(std::regex_search(section, std::regex("`" + key + "(\\[\\])?`|[(,] ?" + key + "[,;)]")));
+    }
+  }
 }
 
 TEST_CASE("links between the documents lead somewhere") {

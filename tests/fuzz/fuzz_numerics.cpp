@@ -45,7 +45,8 @@ void expect_finite(std::initializer_list<double> values) {
 
 void expect_good(const Collision& c) {
   expect_finite({c.tcol, c.en, c.max_overlap, c.time_max_overlap, c.max_force, c.time_max_force, c.overlap_end});
-  if (c.separated() && !(c.tcol > 0 && c.en >= 0 && c.en <= 1 + 1e-9)) throw std::logic_error("an impossible collision");
+  if (c.separated() && !(c.tcol > 0 && c.en >= 0 && c.en <= 1 + 1e-9))
+    throw std::logic_error("an impossible collision");
 }
 
 void a_collision(Arguments& in) {
@@ -96,7 +97,8 @@ void run(Arguments& in) {
     case 0: return expect_finite({mittag_leffler(in.number(), in.number(), in.number())});
     case 1: return expect_finite({MittagLeffler(in.number(), in.number())(in.number())});
     case 2: {
-      const FractionalContact c = fractional_contact(in.share(), in.byte() & 1 ? ContactEnd::overlap : ContactEnd::force);
+      const FractionalContact c =
+          fractional_contact(in.share(), in.byte() & 1 ? ContactEnd::overlap : ContactEnd::force);
       return expect_finite({c.z_star, c.tau, c.en, c.overlap_end, c.max_overlap, c.max_force});
     }
     case 3: return a_collision(in);

@@ -8,7 +8,7 @@
 
 namespace ricochet::calibration {
 
-/// One measured impact. Standard errors 0: not known (then of all, and without collision times).
+/// One measured impact; numbers in [1e-30, 1e30]. Standard errors 0: not known (then of all, and without collision times).
 struct Measurement {
   double velocity;        ///< [m/s], > 0
   double en;              ///< in (0, 1]
@@ -22,9 +22,9 @@ struct FitRequest {
   LawName law;
   ContactEnd end = ContactEnd::force;
   double mass_eff;  ///< [kg], > 0
-  /// Fractional only: the paper's idea of an α that follows the impact, as ln(α/(1−α)) = a + b ln(v/(1 m/s)). Monotone
-  /// in v, in (0, 1) for every v, and constant for b = 0; with b > 0 a slow impact is elastic and a fast one
-  /// loses all, with b < 0 the other way round.
+  /// Fractional only: the paper's idea of an α that follows the impact, as ln(α/(α_max−α)) = a + b ln(v/(1 m/s)), where
+  /// α_max is 1 by force and overlap_limit by overlap. Monotone in v, in (0, α_max) for every v, and constant for
+  /// b = 0; with b > 0 a slow impact is elastic and a fast one loses all, with b < 0 the other way round.
   bool alpha_of_speed = false;
 };
 
@@ -53,23 +53,23 @@ struct Fit {
   bool errors_known;         ///< false: σ was taken from the scatter about the fit
   /// χ² + 2p where σ is known; n ln(χ²/n) + 2(p + 1) where it is not (constants left out). Less is better.
   double aic;
-  double probability;  ///< of a χ² as large by chance, where σ is known; else 1
-  std::vector<double> solution = {};      ///< in the fit's own variables, for `predict`
-  std::vector<std::string> findings = {}; ///< what the data do not tell, and what does not fit, in words
+  double probability;                      ///< of a χ² as large by chance, where σ is known; else 1
+  std::vector<double> solution = {};       ///< in the fit's own variables, for `predict`
+  std::vector<std::string> findings = {};  ///< what the data do not tell, and what does not fit, in words
 
   std::size_t unknowns() const { return parameters.size(); }
 };
 
 /// Fits one law. NLopt (SLSQP, with the Jacobian by central differences) minimises χ² over the logarithms of the
-/// parameters, from the best of a coarse scan, and Gauss-Newton takes the last digits; errors and correlations are those of (JᵀJ)⁻¹ at the minimum, times χ²/ν
-/// where σ is not known. Without collision times no law's stiffness can be told: the parameters are then the
-/// combinations that set e_n, which are named so.
+/// parameters, from the best of a coarse scan, and Gauss-Newton takes the last digits; errors and correlations are those
+/// of (JᵀJ)⁻¹ at the minimum, times χ²/ν where σ is not known. Without collision times no law's stiffness can be
+/// told: the parameters are then the combinations that set e_n, which are named so.
 ///
 /// The forward model's error (e_n and t_col as functions of the parameters) is below 1e-9: polynomials through
 /// numerical collisions for Kuwabara-Kono and Tsuji and through closed forms for the fractional law.
 ///
-/// Throws std::invalid_argument for data outside their domain, fewer observations than parameters plus one, an end that
-/// the law does not offer, times without en_sigma; NotConverged where the minimum cannot be found.
+/// Throws std::invalid_argument for data outside their domain, no more observations than parameters, an end that the law
+/// does not offer, times without en_sigma; NotConverged, which names them, where the data leave parameters open.
 Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data);
 
 /// What the fitted law does at another velocity.

@@ -1,0 +1,111 @@
+#include "fit_findings.hpp"
+
+#include <ricochet/detail/require.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace ricochet::calibration {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Beyond, squares and powers would leave the range of doubles.
+constexpr double widest = 1e30;
+
+void require_scale(const char* name, double value) {
+  detail::require_positive(name, value);
+  detail::require(value >= 1 / widest && value <= widest, name, value, "in [1e-30, 1e30]");
+}
+
+/// Restitutions and times.
+std::size_t observations_in(const std::vector<Measurement>& data) { return data.size() * (data[0].tcol > 0 ? 2 : 1); }
+
+/// Does the restitution that is left over follow the speed? So it is where the slope of the residuals against ln v is four
+/// standard errors from 0, both by their own scatter and by what is known of it: the stated errors, or the model's.
+bool follows_speed(const Fit& fit, const VectorXd& r, const std::vector<Measurement>& data) {
+  const Index stride = data[0].tcol > 0 ? 2 : 1;
+  const Index count = static_cast<Index>(data.size());
+  VectorXd x(count), y(count);
+  for (Index i = 0; i < count; ++i) {
+    x[i] = std::log(data[static_cast<std::size_t>(i)].velocity);
+    y[i] = r[i * stride];
+  }
+  x.array() -= x.mean();
+  y.array() -= y.mean();
+  const double xx = x.squaredNorm(), sigma = fit.errors_known ? 1 : model_error;
+  if (count < 3 || !(xx > 0)) return false;
+  const double along = x.dot(y) / std::sqrt(xx);
+  const double rest = std::max(y.squaredNorm() - along * along, 0.0) / static_cast<double>(count - 2);
+  return along * along > 16 * std::max(rest, sigma * sigma);
+}
+
+bool constant_restitution(const FitRequest& request) {
+  return request.law != LawName::kuwabara_kono && !request.alpha_of_speed;
+}
+
+}  // namespace
+
+void require_fit(const FitRequest& request, const std::vector<Measurement>& data) {
+  using detail::require;
+  detail::require_positive("mass_eff", request.mass_eff);
+  if (!offers(request.law, request.end))
+    throw std::invalid_argument("end = " + std::string(text(request.end)) + ": must be force for the law " +
+                                std::string(text(request.law)));
+  if (request.alpha_of_speed && request.law != LawName::fractional)
+    throw std::invalid_argument("alpha_of_speed = true: must be false for the law " + std::string(text(request.law)));
+  require(!data.empty(), "measurements", 0, "at least 1");
+  for (const Measurement& m : data) {
+    require_scale("velocity", m.velocity);
+    require(m.en > 0 && m.en <= 1, "en", m.en, "in (0, 1]");
+    if (m.en_sigma != 0) require_scale("en_sigma", m.en_sigma);
+    require((m.en_sigma > 0) == (data[0].en_sigma > 0), "en_sigma", m.en_sigma,
+            "> 0 for every measurement or for none");
+    require((m.tcol > 0) == (data[0].tcol > 0), "tcol", m.tcol, "> 0 for every measurement or for none");
+    if (m.tcol == 0) continue;
+    require_scale("tcol", m.tcol);
+    require_scale("tcol_sigma", m.tcol_sigma);
+    require(m.en_sigma > 0, "en_sigma", m.en_sigma,
+            "> 0 where there are collision times, to weigh one against the other");
+  }
+}
+
+void require_observations(const FitRequest& request, const std::vector<Measurement>& data, Index unknowns) {
+  const std::size_t observations = observations_in(data), parameters = static_cast<std::size_t>(unknowns);
+  if (observations <= parameters)
+    throw std::invalid_argument("observations = " + std::to_string(observations) +
+                                ": must be more than the parameters of " + fit_name(request) + ", " +
+                                std::to_string(parameters));
+}
+
+std::vector<std::string> findings(const Fit& fit, const Box& box, const VectorXd& residuals,
+                                  const std::vector<Measurement>& data) {
+  std::vector<std::string> said;
+  const bool with_times = data[0].tcol > 0;
+  if (!with_times) said.push_back("no collision times: the stiffness cannot be told, only what sets the restitution");
+  if (fit.request.law == LawName::fractional && !fit.request.alpha_of_speed && with_times)
+    said.push_back("k and c cannot be told apart: only c^alpha k^(1-alpha) shows");
+  if (fit.errors_known && std::any_of(data.begin(), data.end(), [](const Measurement& m) {
+        return m.en_sigma < 10 * model_error || m.tcol_sigma < 10 * model_error * m.tcol;
+      }))
+    said.push_back("stated errors come near the fit's own error, 1e-9, which is not in those of the parameters");
+  if (follows_speed(fit, residuals, data))
+    said.push_back(constant_restitution(fit.request)
+                       ? "misfit: the law gives the same restitution at every speed, the data change with it"
+                       : "misfit: what the law leaves over follows the speed");
+  else if (fit.errors_known && fit.probability < 1e-3)
+    said.push_back("misfit: a chi2 this large comes by chance less than once in a thousand");
+  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+    const Estimate& p = fit.parameters[i];
+    const double u = fit.solution[i], low = box.low[static_cast<Index>(i)], high = box.high[static_cast<Index>(i)];
+    if (u <= low || u >= high)
+      said.push_back(p.name + " has run to the end of its range: the data only tell that it is there or beyond");
+    else if (!(p.error < std::abs(p.value)))
+      said.push_back(p.name + " is not determined: its standard error is as large as itself");
+  }
+  return said;
+}
+
+}  // namespace ricochet::calibration

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "fit_model.hpp"
+
+namespace ricochet::calibration {
+
+/// Throws std::invalid_argument naming what of the request or the data is outside its domain.
+void require_fit(const FitRequest& request, const std::vector<Measurement>& data);
+/// Throws std::invalid_argument unless there are more observations than unknowns.
+void require_observations(const FitRequest& request, const std::vector<Measurement>& data, Eigen::Index unknowns);
+
+/// What these data cannot tell, and what this law cannot do, in words.
+std::vector<std::string> findings(const Fit& fit, const Box& box, const Eigen::VectorXd& residuals,
+                                  const std::vector<Measurement>& data);
+
+}  // namespace ricochet::calibration
