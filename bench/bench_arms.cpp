@@ -1,9 +1,10 @@
 // The memory-kernel step of a block of contacts with 12 arms each that stays in the first-level cache.
+#include "workloads.hpp"
+
 #include <benchmark/benchmark.h>
 #include <ricochet/contact/arms_block.hpp>
 
-#include <random>
-#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -13,23 +14,11 @@ using namespace ricochet;
 constexpr std::size_t contacts = 200, arms = 12;
 constexpr double step = 1e-6;
 
-/// The loosest kernel with so many arms.
-FractionalArms law() {
-  for (double tolerance = 1e-2; tolerance > 1e-12; tolerance /= 1.5) {
-    const MemoryKernel kernel = memory_kernel(0.3, step, 1000 * step, tolerance);
-    if (kernel.arms().size() == arms) return FractionalArms(Fractional(5000, 0.3, 0.3), kernel, step);
-  }
-  throw std::runtime_error("no kernel with so many arms");
-}
+FractionalArms law() { return {Fractional(5000, 0.3, 0.3), workloads::kernel_of(arms, 0.3, step), step}; }
 
 /// Overlaps [m] at two neighbouring times; steps go to and fro between them.
 struct Overlaps {
-  std::vector<double> one, other;
-  Overlaps() {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> draw(1e-6, 2e-6);
-    for (std::size_t j = 0; j < contacts; ++j) one.push_back(draw(random)), other.push_back(draw(random));
-  }
+  std::vector<double> one = workloads::arguments(1e-6, 2e-6, contacts), other = workloads::arguments(2e-6, 3e-6, contacts);
 };
 
 void report(benchmark::State& state) {

@@ -1,21 +1,15 @@
+#include "workloads.hpp"
+
 #include <benchmark/benchmark.h>
 #include <ricochet/contact/fractional_contact.hpp>
 #include <ricochet/contact/fractional_contact_table.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
 
-#include <random>
 #include <vector>
 
 namespace {
 
-/// Arguments in random order, so that neither branches nor caches are flattered.
-std::vector<double> arguments(double low, double high) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> draw(low, high);
-  std::vector<double> x(1024);
-  for (double& value : x) value = draw(random);
-  return x;
-}
+using ricochet::workloads::arguments;
 
 void prepared(benchmark::State& state, double a, double b, double low, double high) {
   const ricochet::MittagLeffler e(a, b);
