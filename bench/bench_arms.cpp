@@ -73,10 +73,19 @@ void arms_as_any_law(benchmark::State& state) {
   report(state);
 }
 
+/// A kernel that is good to `tolerance` over so many steps.
+void kernel_construction(benchmark::State& state, double steps, double tolerance) {
+  for (auto _ : state) benchmark::DoNotOptimize(memory_kernel(0.3, step, steps * step, tolerance));
+}
+
 }  // namespace
 
 BENCHMARK_CAPTURE(arms_block, baseline, ricochet::Instructions::baseline);
 BENCHMARK_CAPTURE(arms_block, avx2, ricochet::Instructions::avx2);
 BENCHMARK(arms_one_by_one);
 BENCHMARK(arms_as_any_law);
+BENCHMARK_CAPTURE(kernel_construction, 1e3_steps_to_1e_6, 1e3, 1e-6)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(kernel_construction, 1e3_steps_to_1e_10, 1e3, 1e-10)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(kernel_construction, 1e5_steps_to_1e_6, 1e5, 1e-6)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(kernel_construction, 1e2_steps_to_1e_12, 1e2, 1e-12)->Unit(benchmark::kMillisecond);
 BENCHMARK_MAIN();

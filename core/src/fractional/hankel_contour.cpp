@@ -75,13 +75,13 @@ Complex HankelContour::pole_factor_less_one(Complex u, Grid g) const {
 
 namespace {
 
-// Contours for b up to 2.5·1.25^n, each laid out where it is first asked for. One that fits a b greater by δ, its apex
-// that much too far out, costs a factor exp(b(δ − ln(1+δ))) ≈ exp(bδ²/2) of rounding: 1.2 at b = 10.
-constexpr double usual = 2.5, ratio = 1.25;
+// Contours for all b up to (√2.5 + 0.4 n)², each laid out where it is first asked for. One that fits a b greater by the
+// share δ has its apex that much too far out, which costs a factor exp(b(δ − ln(1+δ))) ≈ exp(bδ²/2) < 1.4 of rounding.
+constexpr double first_root = 1.5811388300841898, root_step = 0.4;
 
 template <int N>
 const HankelContour& shared_contour() {
-  static const HankelContour contour(usual * std::pow(ratio, N));
+  static const HankelContour contour((first_root + N * root_step) * (first_root + N * root_step));
   return contour;
 }
 
@@ -94,10 +94,9 @@ const HankelContour& shared_contour(std::size_t n, std::integer_sequence<int, N.
 }  // namespace
 
 const HankelContour& contour_for(double b, std::unique_ptr<HankelContour>& own) {
-  constexpr std::size_t count = 16;
-  double limit = usual;
-  for (std::size_t n = 0; n < count; ++n, limit *= ratio)
-    if (b <= limit) return shared_contour(n, std::make_integer_sequence<int, count>{});
+  constexpr int count = 30;
+  const double n = std::max(0.0, std::ceil((std::sqrt(b) - first_root) / root_step));
+  if (n < count) return shared_contour(static_cast<std::size_t>(n), std::make_integer_sequence<int, count>{});
   own = std::make_unique<HankelContour>(b);
   return *own;
 }

@@ -51,7 +51,7 @@ class HankelContour {
   std::array<ContourNodes, 2> nodes_;
 };
 
-/// The contour for E_{a,b}: one shared by all b up to some limit, laid out once a process, or past b = 71 one put into `own`.
+/// The contour for E_{a,b}: one shared by all b up to some limit, laid out once a process, or past b = 173 one put into `own`.
 const HankelContour& contour_for(double b, std::unique_ptr<HankelContour>& own);
 
 /// e^z − 1 without cancellation for small z.

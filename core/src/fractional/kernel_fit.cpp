@@ -54,7 +54,10 @@ Real largest(const Vector& v, std::size_t count) {
   return m;
 }
 
-/// Residuals of `meet`, and on request its Jacobian: they share the exponentials, which are the whole cost.
+/// Past this x, e^{−x} t^α c is nothing to a sum near 1, whatever t ≤ 1e6 and strength c.
+constexpr Real negligible = 64;
+
+/// Residuals of `meet` and their Jacobian: they share the exponentials, which are the whole cost.
 class Conditions {
  public:
   Conditions(Real alpha, const Vector& points, bool level_free)
@@ -63,34 +66,35 @@ class Conditions {
   }
   std::size_t size() const { return points_.size() + 1; }
 
-  Vector residual(const Vector& x, Real level, Vector* jacobian) const {
+  Vector residual(const Vector& x, Real level, Vector& jacobian) const {
     const std::size_t n = x.size() / 2, size = this->size();
     Vector r(size);
-    if (jacobian) jacobian->assign(size * size, 0);
+    jacobian.assign(size * size, 0);
     Vector c(n), s(n);
     for (std::size_t j = 0; j < n; ++j) c[j] = std::exp(x[1 + j]), s[j] = std::exp(x[1 + n + j]);
     const Real spring = std::exp(x[0]);
     for (std::size_t i = 0; i + 1 < size; ++i) {
       const Real t = points_[i], w = weight_[i], sign = i % 2 ? -1 : 1;
-      Real* row = jacobian ? &(*jacobian)[i * size] : nullptr;
+      Real* row = &jacobian[i * size];
       Real sum = w * spring;
-      if (row) row[0] = sum;
+      row[0] = sum;
       for (std::size_t j = 0; j < n; ++j) {
+        if (s[j] * t > negligible) continue;
         const Real e = w * c[j] * std::exp(-s[j] * t);
         sum += e;
-        if (row) row[1 + j] = e, row[1 + n + j] = -e * s[j] * t;
+        row[1 + j] = e, row[1 + n + j] = -e * s[j] * t;
       }
-      if (row && level_free_) row[size - 1] = sign;
+      if (level_free_) row[size - 1] = sign;
       r[i] = 1 - sum - sign * level;
     }
     const Real scale = 2 - alpha_;
-    Real* row = jacobian ? &(*jacobian)[(size - 1) * size] : nullptr;
+    Real* row = &jacobian[(size - 1) * size];
     Real sum = 0.5L * scale * spring;
-    if (row) row[0] = sum;
+    row[0] = sum;
     for (std::size_t j = 0; j < n; ++j) {
       const Real part = scale * c[j] * moment(1, s[j]);
       sum += part;
-      if (row) row[1 + j] = part, row[1 + n + j] = -scale * c[j] * s[j] * moment(2, s[j]);
+      row[1 + j] = part, row[1 + n + j] = -scale * c[j] * s[j] * moment(2, s[j]);
     }
     r[size - 1] = 1 - sum;
     return r;
@@ -105,9 +109,16 @@ class Conditions {
 
 }  // namespace
 
+void KernelFit::take(Vector log_unknowns) {
+  x_ = std::move(log_unknowns);
+  rate_.clear();
+  for (std::size_t j = 0; j < arms(); ++j) rate_.push_back(std::exp(x_[1 + arms() + j]));
+}
+
 Real KernelFit::deviation(Real t) const {
   Real sum = spring();
-  for (std::size_t j = 0; j < arms(); ++j) sum += std::exp(x_[1 + j] - rate(j) * t);
+  for (std::size_t j = 0; j < arms(); ++j)
+    if (const Real decay = rate(j) * t; decay <= negligible) sum += std::exp(x_[1 + j] - decay);
   return 1 - sum * std::pow(t, alpha_);
 }
 
@@ -121,13 +132,13 @@ bool KernelFit::meet(const Vector& points, Real& level, Real tolerance) {
   const std::size_t n = x_.size();
   const bool level_free = points.size() == n;
   const Conditions conditions(alpha_, points, level_free);
-  Vector x = x_, jacobian;
+  Vector x = x_, jacobian, next_jacobian;
   Real e = level;
+  Vector step = conditions.residual(x, e, jacobian);
   for (int iteration = 0; iteration < 40; ++iteration) {
-    Vector step = conditions.residual(x, e, &jacobian);
     const Real before = largest(step, step.size());
     if (before <= tolerance) {
-      x_ = std::move(x);
+      take(std::move(x));
       level = e;
       return true;
     }
@@ -138,10 +149,12 @@ bool KernelFit::meet(const Vector& points, Real& level, Real tolerance) {
       Vector y = x;
       for (std::size_t i = 0; i < n; ++i) y[i] += length * step[i];
       const Real f = level_free ? e + length * step[n] : e;
-      const Vector r = conditions.residual(y, f, nullptr);
+      Vector r = conditions.residual(y, f, next_jacobian);
       if (largest(r, r.size()) < before) {
         x = std::move(y);
         e = f;
+        step = std::move(r);
+        std::swap(jacobian, next_jacobian);
         break;
       }
       if (halving == 12) return false;

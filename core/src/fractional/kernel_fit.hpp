@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace ricochet::fractional {
@@ -19,13 +20,13 @@ class KernelFit {
   using Real = long double;
   using Vector = std::vector<Real>;
 
-  KernelFit(Real alpha, Vector log_unknowns) : alpha_(alpha), x_(std::move(log_unknowns)) {}
+  KernelFit(Real alpha, Vector log_unknowns) : alpha_(alpha) { take(std::move(log_unknowns)); }
 
   std::size_t arms() const { return x_.size() / 2; }
   Real alpha() const { return alpha_; }
   Real spring() const { return std::exp(x_[0]); }
   Real strength(std::size_t j) const { return std::exp(x_[1 + j]); }
-  Real rate(std::size_t j) const { return std::exp(x_[1 + arms() + j]); }
+  Real rate(std::size_t j) const { return rate_[j]; }
   const Vector& unknowns() const { return x_; }
 
   /// 1 − S(t) t^α.
@@ -45,8 +46,11 @@ class KernelFit {
   Waves waves(Real ratio) const;
 
  private:
+  void take(Vector log_unknowns);
+
   Real alpha_;
-  Vector x_;  // log spring, log strengths, log rates
+  Vector x_;     // log spring, log strengths, log rates
+  Vector rate_;  // kept, as every value of S needs them
 };
 
 /// The sum with the fewest arms (at most max_arms) whose deviation on [1, ratio] is at most `tolerance`.

@@ -15,7 +15,7 @@ using namespace detail;
 
 void require_parameters(double a, double b) {
   require(a > 0 && a <= 3, "a", a, "in (0, 3]");
-  require_positive("b", b);
+  require(b > 0 && b <= 700, "b", b, "in (0, 700]");
 }
 
 void require_argument(double x) { require(x >= -1e6 && x <= 5, "x", x, "in [-1e6, 5]"); }

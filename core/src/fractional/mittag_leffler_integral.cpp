@@ -151,7 +151,8 @@ double Poles::residues(const HankelContour& contour, HankelContour::Grid grid, d
     const Complex factor =
         count == Count::rest ? contour.pole_factor(pole.u, grid) : contour.pole_factor_less_one(pole.u, grid);
     if (factor == 0.0) continue;
-    const double size = std::exp(pole.s.real()) * (b == 1 ? 1.0 : std::pow(pole.radius, 1 - b)) / a_;
+    // One exponent: e^s alone may exceed the largest double.
+    const double size = std::exp(b == 1 ? pole.s.real() : pole.s.real() + (1 - b) * std::log(pole.radius)) / a_;
     const double turn = pole.s.imag() + (1 - b) * pole.argument;
     sum += pole.count * size * product({std::cos(turn), std::sin(turn)}, factor).real();
   }
