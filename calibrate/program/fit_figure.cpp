@@ -81,14 +81,33 @@ Table points(const std::vector<Curve>& curves, const std::vector<Measurement>& d
   return table;
 }
 
+/// gnuplot's choice, but where all values are the same a range around them, which it would warn of.
+std::string range_of(const char* axis, const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  std::string range = "[*:*]";
+  if (!(*high - *low > 1e-6 * std::abs(*high))) {
+    const double room = *high == 0 ? 1 : 0.5 * std::abs(*high);
+    range = "[" + console::shortest(*low - room) + ":" + console::shortest(*high + room) + "]";
+  }
+  return "set " + std::string(axis) + "range " + range + "\n";
+}
+
+/// A column of the table, a number in each row.
+std::vector<double> column(const Table& table, std::size_t index) {
+  std::vector<double> values;
+  for (const auto& row : table.rows()) values.push_back(std::get<double>(row[index]));
+  return values;
+}
+
 /// The panel of one quantity: its column among the points, and how many columns a curve has.
 struct Panel {
   std::string label, measured;
   std::size_t offset, stride;
 };
 
-std::string upper(const Panel& panel, const std::vector<Curve>& curves, bool known, bool titled) {
-  std::string script = "set ylabel '" + panel.label +
+std::string upper(const Panel& panel, const Table& measured, const std::vector<Curve>& curves, bool known,
+                  bool titled) {
+  std::string script = range_of("y", column(measured, 1 + 2 * panel.offset)) + "set ylabel '" + panel.label +
                        "'\nset format x ''\nunset xlabel\nplot 'fit_points.csv' skip 1 using 1:" + panel.measured +
                        (known ? " with yerrorbars" : " with points") + " pt 7 ps 0.6 lc black " +
                        (titled ? "title 'measured'" : "notitle");
@@ -99,12 +118,16 @@ std::string upper(const Panel& panel, const std::vector<Curve>& curves, bool kno
   return script + "\n";
 }
 
-std::string lower(const Panel& panel, const std::vector<Curve>& curves, bool known) {
-  std::string script = "set ylabel '" + std::string(known ? "residual / standard error" : "residual") +
+std::string lower(const Panel& panel, const Table& measured, const std::vector<Curve>& curves, bool known) {
+  std::vector<double> left_over{0};
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    for (const double value : column(measured, 5 + panel.offset + i * panel.stride)) left_over.push_back(value);
+  std::string script = range_of("y", left_over) + "set ylabel '" +
+                       std::string(known ? "residual / standard error" : "residual") +
                        "'\nset format x '%g'\nset xlabel 'impact velocity [m/s]'\nplot 0 lc black lw 1 notitle";
   for (std::size_t i = 0; i < curves.size(); ++i)
     script += ", 'fit_points.csv' skip 1 using 1:" + std::to_string(6 + panel.offset + i * panel.stride) +
-              " with linespoints pt 7 ps 0.6 lt " + std::to_string(i + 1) + " notitle";
+              " with points pt 7 ps 0.7 lt " + std::to_string(i + 1) + " notitle";
   return script + "\n";
 }
 
@@ -125,20 +148,23 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
   const auto curves = curves_of(fits);
   std::vector<Panel> panels{{"restitution", known ? "2:3" : "2", 0, times ? 2u : 1u}};
   if (times) panels.push_back({"collision time [s]", "4:5", 1, 2});
-  const std::string across = std::to_string(panels.size());
+  constexpr int height = 640, line = 20, axis = 60;  // pixels; the key stands under the plots, a line a curve
+  const double foot = static_cast<double>(axis + line * (static_cast<int>(curves.size()) + 1)) / height;
+  const Table measured = points(curves, data, times);
   std::string script =
-      "set logscale x\nset key at screen 0.5,0.01 center bottom horizontal maxcols 2\n"
-      "set multiplot layout 2," +
-      across + (times ? " margins 0.07,0.98," : " margins 0.11,0.97,") + "0.25,0.97 spacing 0.13,0.05\n";
-  for (std::size_t i = 0; i < panels.size(); ++i) script += upper(panels[i], curves, known, i == 0);
-  for (const Panel& panel : panels) script += lower(panel, curves, known);
+      range_of("x", column(measured, 0)) +
+      "set logscale x\nset key at screen 0.5,0.01 center bottom vertical maxcols 1\nset multiplot layout 2," +
+      std::to_string(panels.size()) + " margins " + (times ? "0.09,0.98," : "0.12,0.97,") + console::fixed(foot, 3) +
+      ",0.97 spacing 0.13,0.05\n";
+  for (std::size_t i = 0; i < panels.size(); ++i) script += upper(panels[i], measured, curves, known, i == 0);
+  for (const Panel& panel : panels) script += lower(panel, measured, curves, known);
   return {"fit",
           "Measured restitution" + std::string(times ? " and collision times" : "") +
               " against impact velocity with the fitted laws; below, what they leave over.",
           script + "unset multiplot\n",
-          {{"fit_points.csv", points(curves, data, times).csv()}, {"fit_lines.csv", lines(curves, data, times).csv()}},
+          {{"fit_points.csv", measured.csv()}, {"fit_lines.csv", lines(curves, data, times).csv()}},
           times ? 1000 : 720,
-          640,
+          height,
           finding_of(fits)};
 }
 

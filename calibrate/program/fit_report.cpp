@@ -84,7 +84,8 @@ Table goodness_table(const std::vector<Fit>& fits) {
     const double over = fit.chi2 / static_cast<double>(fit.freedom);
     table.row({fit_name(fit.request), std::string(text(fit.request.end)), fit.chi2,
                static_cast<std::int64_t>(fit.freedom), known ? over : std::sqrt(over),
-               known ? console::Cell(fit.probability) : console::blank(), fit.aic - best->aic});
+               known ? console::Cell(fit.probability) : console::blank(),
+               std::round(1e3 * (fit.aic - best->aic)) / 1e3});
   }
   return table;
 }

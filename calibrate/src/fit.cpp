@@ -149,19 +149,32 @@ MatrixXd slope_of(const FitModel& model, const VectorXd& u) {
                                        : "these data cannot tell " + list + " apart");
 }
 
-/// (JᵀJ)⁻¹, from columns of unit length; throws where a direction leaves the data unchanged.
-MatrixXd covariance_of(const MatrixXd& jacobian, const std::vector<Parameter>& parameters) {
-  const VectorXd length = jacobian.colwise().norm();
+/// For each unknown the parameter that follows it most, by which it is called.
+std::vector<std::string> names_of(const FitModel& model, const VectorXd& u) {
+  const auto parameters = model.parameters(u);
+  MatrixXd share = slope_of(model, u).cwiseAbs();
+  for (Index p = 0; p < u.size(); ++p) share.row(p) /= std::abs(parameters[static_cast<std::size_t>(p)].value);
   std::vector<std::string> names;
+  for (Index i = 0; i < u.size(); ++i) {
+    Index most = 0;
+    share.col(i).maxCoeff(&most);
+    names.push_back(parameters[static_cast<std::size_t>(most)].name);
+  }
+  return names;
+}
+
+/// (JᵀJ)⁻¹, from columns of unit length; throws where a direction leaves the data unchanged.
+MatrixXd covariance_of(const MatrixXd& jacobian, const std::vector<std::string>& names) {
+  const VectorXd length = jacobian.colwise().norm();
   for (Index i = 0; i < length.size(); ++i)
-    if (!(length[i] > 0)) names.push_back(parameters[static_cast<std::size_t>(i)].name);
-  if (!names.empty()) cannot_tell({names.front()});
+    if (!(length[i] > 0)) cannot_tell({names[static_cast<std::size_t>(i)]});
   const MatrixXd scaled = jacobian * length.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled.transpose() * scaled);  // eigenvalues rise
   if (!(eigen.eigenvalues()[0] > 1e-12)) {
+    std::vector<std::string> mixed;
     for (Index i = 0; i < length.size(); ++i)
-      if (std::abs(eigen.eigenvectors()(i, 0)) > 0.1) names.push_back(parameters[static_cast<std::size_t>(i)].name);
-    cannot_tell(names);
+      if (std::abs(eigen.eigenvectors()(i, 0)) > 0.1) mixed.push_back(names[static_cast<std::size_t>(i)]);
+    cannot_tell(mixed);
   }
   const MatrixXd inverse =
       eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
@@ -179,6 +192,13 @@ void report(Fit& fit, const FitModel& model, const VectorXd& u, const MatrixXd& 
     fit.correlations.emplace_back();
     for (Index q = 0; q < u.size(); ++q) fit.correlations.back().push_back(c(p, q) / std::sqrt(c(p, p) * c(q, q)));
   }
+}
+
+std::vector<std::string> names_at_the_edge(const std::vector<std::string>& names, const VectorXd& u, const Box& box) {
+  std::vector<std::string> found;
+  for (Index i = 0; i < u.size(); ++i)
+    if (u[i] <= box.low[i] || u[i] >= box.high[i]) found.push_back(names[static_cast<std::size_t>(i)]);
+  return found;
 }
 
 /// χ² and what follows from it.
@@ -208,13 +228,14 @@ Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data) {
   Fit fit{request, {}, {}, {}, r.squaredNorm(), static_cast<std::size_t>(r.size()), 0, data[0].en_sigma > 0, 0, 1};
   fit.freedom = fit.observations - static_cast<std::size_t>(u.size());
   const double scatter = std::sqrt(fit.chi2 / static_cast<double>(fit.freedom));
-  report(fit, *model, u, covariance_of(residuals.jacobian(u), model->parameters(u)), fit.errors_known ? 1 : scatter);
+  const auto names = names_of(*model, u);
+  report(fit, *model, u, covariance_of(residuals.jacobian(u), names), fit.errors_known ? 1 : scatter);
   judge(fit, r);
   for (const Measurement& m : data) fit.predictions.push_back(model->predict(u, m.velocity));
   if (!with_times)
     for (Prediction& p : fit.predictions) p.tcol = 0;
   fit.solution.assign(u.begin(), u.end());
-  fit.findings = findings(fit, model->box(), r, data);
+  fit.findings = findings(fit, names_at_the_edge(names, u, model->box()), r, data);
   return fit;
 }
 

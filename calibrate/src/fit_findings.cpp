@@ -80,8 +80,8 @@ void require_observations(const FitRequest& request, const std::vector<Measureme
                                 std::to_string(parameters));
 }
 
-std::vector<std::string> findings(const Fit& fit, const Box& box, const VectorXd& residuals,
-                                  const std::vector<Measurement>& data) {
+std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>& at_the_edge,
+                                  const VectorXd& residuals, const std::vector<Measurement>& data) {
   std::vector<std::string> said;
   const bool with_times = data[0].tcol > 0;
   if (!with_times) said.push_back("no collision times: the stiffness cannot be told, only what sets the restitution");
@@ -97,14 +97,12 @@ std::vector<std::string> findings(const Fit& fit, const Box& box, const VectorXd
                        : "misfit: what the law leaves over follows the speed");
   else if (fit.errors_known && fit.probability < 1e-3)
     said.push_back("misfit: a chi2 this large comes by chance less than once in a thousand");
-  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
-    const Estimate& p = fit.parameters[i];
-    const double u = fit.solution[i], low = box.low[static_cast<Index>(i)], high = box.high[static_cast<Index>(i)];
-    if (u <= low || u >= high)
-      said.push_back(p.name + " has run to the end of its range: the data only tell that it is there or beyond");
-    else if (!(p.error < std::abs(p.value)))
+  for (const std::string& name : at_the_edge)
+    said.push_back(name + " has run to the end of its range: the data only tell that it is there or beyond");
+  for (const Estimate& p : fit.parameters)
+    if (!(p.error < std::abs(p.value)) &&
+        std::find(at_the_edge.begin(), at_the_edge.end(), p.name) == at_the_edge.end())
       said.push_back(p.name + " is not determined: its standard error is as large as itself");
-  }
   return said;
 }
 

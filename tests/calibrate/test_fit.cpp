@@ -183,6 +183,11 @@ TEST_CASE("what the data cannot tell is said") {
     CAPTURE(text(law));
     CHECK(
         said(fit_law({law, ContactEnd::force, mass}, {{1, 1, 0.01}, {2, 1, 0.01}, {4, 1, 0.01}}), "end of its range"));
+    const Fit timed = fit_law({law, ContactEnd::force, mass}, {{1, 1, 0.01, 1e-4, 1e-6}, {1, 1, 0.01, 1e-4, 1e-6}});
+    const char* loss = law == LawName::hysteretic ? "k" : law == LawName::fractional ? "alpha" : "c";
+    CHECK(std::any_of(timed.findings.begin(), timed.findings.end(), [&](const std::string& finding) {
+      return finding.starts_with(loss) && finding.find("end of its range") != std::string::npos;
+    }));
     const Fit vague = fit_law({law, ContactEnd::force, mass}, {{1, 0.5, 10}, {2, 0.6, 10}});
     CHECK(said(vague, "is not determined"));
     CHECK_FALSE(said(vague, "misfit"));
