@@ -48,7 +48,7 @@ class HankelContour {
 
   double mu_, step_;
   std::size_t size_;
-  std::array<ContourNodes, 2> nodes_;
+  std::array<ContourNodes, 2> nodes_{};
 };
 
 /// The contour for E_{a,b}: one shared by all b up to some limit, laid out once a process, or past b = 173 one put into `own`.

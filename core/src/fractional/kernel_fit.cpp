@@ -326,7 +326,8 @@ KernelFit fit_kernel(Real alpha, Real ratio, Real tolerance, std::size_t max_arm
     // The error falls by about the same factor with every arm: far from the goal several may come at once.
     const Real gain = before > 0 ? before / sum.highest() : 1;
     const Real missing = gain > 1 ? 0.8L * std::log(sum.highest() / tolerance) / std::log(gain) : 1;
-    std::size_t more = static_cast<std::size_t>(std::clamp<Real>(missing, 1, sum.arms() / 5 + 1));
+    const std::size_t most = sum.arms() / 5 + 1;
+    auto more = static_cast<std::size_t>(std::clamp<Real>(missing, 1, static_cast<Real>(most)));
     before = sum.highest();
     bool grown = false;
     for (const std::size_t step : {more, std::size_t{1}, std::size_t{2}, std::size_t{3}})
