@@ -1,7 +1,7 @@
 // The hot paths, one after the other, for callgrind to count the instructions of. Each is run once before it is counted, so
 // that tables are made and symbols bound; what is being counted is told to callgrind by the requests of its header.
 #include "../../bench/workloads.hpp"
-#include "../../calibrate/program/target_rows.hpp"
+#include "target_rows.hpp"
 
 #include <calibrate/direct_calibrator.hpp>
 #include <ricochet/contact/arms_block.hpp>
@@ -83,7 +83,8 @@ void nlopt_calibration() {
 }
 
 void target_rows() {
-  const TargetRows rows("rows.csv", 1, "tcol,en", {.impact = {0.5, 7.06858e-6}});
+  const DirectCalibrator calibrator;
+  const TargetRows rows("rows.csv", 1, "tcol,en", {.impact = {0.5, 7.06858e-6}}, calibrator);
   console::LineBlocks::Block block;
   const auto en = workloads::arguments(0.01, 0.99, 500);
   for (const double value : en) block.text += std::to_string(1e-3 * (1 + value)) + "," + std::to_string(value) + "\n";
