@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 using namespace ricochet;
 
@@ -70,6 +71,60 @@ TEST_CASE("power is either stored or dissipated") {
   check_energy_balance(Linear(3, 0.7));
   check_energy_balance(KuwabaraKono(3, 0.7));
   check_energy_balance(Tsuji(3, 0.7));
+}
+
+namespace {
+
+/// Drives the law through random strokes of steady rate and compares, at a random place of each, force·rate with what is
+/// stored and burnt. Returns how often the force was attractive there.
+template <class Law>
+int check_contract(const Law& law, double scale, double speed, double shortest_time, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> overlap(0.02, 1), share(0.1, 0.9), pace(0.2, 1);
+  typename Law::Memory memory{};
+  Approach now{0, 0};
+  int attractive = 0;
+  for (int stroke = 0; stroke < 200; ++stroke) {
+    const double to = scale * overlap(random), rate = std::copysign(speed * pace(random), to - now.overlap);
+    const double length = (to - now.overlap) / rate, when = share(random) * length;
+    const auto at = [&](double t) { return Approach{now.overlap + rate * t, rate}; };
+    const auto after = [&](double t) {
+      auto then = memory;
+      law.advance(then, at(0), at(t), t);
+      return then;
+    };
+    const double dt = std::min(1e-4 * shortest_time, 1e-4 * when);
+    const auto stored = [&](double t) { return law.stored_energy(at(t), after(t)); };
+    const double force = law.force(at(when), after(when)), burnt = law.dissipated_power(at(when), after(when));
+    const double kink = law.force(at(when + dt), after(when + dt)) - 2 * force + law.force(at(when - dt), after(when - dt));
+    const double growth = (stored(when + dt) - stored(when - dt)) / (2 * dt);
+    CHECK(burnt >= 0);
+    // A central difference leaves (dt/time)² = 1e-8 of the power, and the rounding of the stored energy over dt.
+    const double power = std::abs(force * rate) + burnt + std::abs(growth);
+    const double rounding = 4e-16 * stored(when) / dt;
+    const bool smooth = std::abs(kink) <= 1e-6 * (std::abs(force) + std::sqrt(stored(when) * power / speed / scale));
+    if (smooth) CHECK(std::abs(force * rate - growth - burnt) <= 1e-7 * power + rounding);
+    attractive += smooth && force < 0;
+    memory = after(length);
+    now = at(length);
+  }
+  return attractive;
+}
+
+}  // namespace
+
+TEST_CASE("power is stored or dissipated along any path, also where the force is attractive") {
+  const double scale = 1e-5, speed = 0.5, time = scale / speed;
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    CAPTURE(seed);
+    CHECK(check_contract(Linear(5000, 0.2), scale, speed, time, seed) > 10);
+    CHECK(check_contract(KuwabaraKono(1.4e6, 60), scale, speed, time, seed) > 10);
+    CHECK(check_contract(Tsuji(1.4e6, 2), scale, speed, time, seed) > 10);
+    CHECK(check_contract(Hysteretic(1e4, 3e4), scale, speed, time, seed) > 10);
+    const MemoryKernel kernel = memory_kernel(0.3, 1e-7, 1e-2, 1e-6);
+    const FractionalArms arms(Fractional(5000, 0.3, 0.3), kernel, 1e-7);
+    CHECK(check_contract(arms, scale, speed, 1e-8, seed) > 10);
+  }
 }
 
 TEST_CASE("repulsion pushes only, and only in contact") {

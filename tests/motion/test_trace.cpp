@@ -18,3 +18,12 @@ TEST_CASE("A trace ends where the collision does, to second order") {
   check(KuwabaraKono(1392000, 33.885));
   check(Hysteretic(3924, 15697));
 }
+
+TEST_CASE("A trace of nothing is refused by name") {
+  const Linear law(5225, 0.0981);
+  const Impact impact{.velocity = 0.5, .mass_eff = 7.06858e-6};
+  CHECK_THROWS_WITH(trace(law, impact, 1e-4, 0), "steps = 0: must be at least 1");
+  CHECK_THROWS_WITH(trace(law, impact, -1e-4, 10), "duration = -1e-04: must be finite and > 0");
+  CHECK_THROWS_WITH(trace(law, {.velocity = 0.5, .mass_eff = -1}, 1e-4, 10), "mass_eff = -1: must be finite and > 0");
+  CHECK_THROWS_WITH(trace(law, {.velocity = 0, .mass_eff = 1}, 1e-4, 10), "velocity = 0: must be finite and > 0");
+}

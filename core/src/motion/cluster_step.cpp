@@ -214,10 +214,10 @@ void Cluster::conclude_normal(ContactState& c, const Row& row, double rate_after
         law.advance(memory, c.approach, at, c.lag);
         const double force = law.force(at, memory), burnt = law.dissipated_power(at, memory);
         // Past the clamp the law's own balance no longer describes the motion: the arms go on being stretched, but by
-        // nobody, so what is stored counts only as far as it falls.
+        // nobody, so no more counts as stored than was and than the impulse has put in.
         const bool clamped = force <= 0 && models_[c.model].end == ContactEnd::force;
         double stored = law.stored_energy(at, memory);
-        stored = clamped ? std::min(stored, c.stored) : stored + 0.5 * h * (force * rate - burnt);
+        stored = clamped ? std::clamp(c.stored + row.impulse * rate, 0.0, stored) : stored + 0.5 * h * (force * rate - burnt);
         const bool closes = !clamped && c.force > 0 && row.duration > 0;
         state_.lost_normal += closes ? h * burnt + (row.impulse - h * force) * rate : row.impulse * rate - (stored - c.stored);
         c.stored = stored;

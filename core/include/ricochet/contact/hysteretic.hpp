@@ -28,10 +28,11 @@ class Hysteretic {
   void advance(Memory& m, Approach, Approach after, double) const noexcept {
     m.max_overlap = std::max(m.max_overlap, after.overlap);
   }
-  /// What unloading along k₂ would give back.
+  /// ½R²/k₂ for either sign of R: a spring k₂ about ζ₀, which first loading tightens and shifts. Unloading and reloading
+  /// only work that spring; loading stores the part k₁/k₂ of its work and burns the rest.
   double stored_energy(Approach a, const Memory& m) const noexcept {
     const double f = force(a, m);
-    return f > 0 ? 0.5 * f * f / k2_ : 0.0;
+    return 0.5 * f * f / k2_;
   }
   double dissipated_power(Approach a, const Memory& m) const noexcept {
     return loads(a, m) && a.rate > 0 ? k1_ * (1 - k1_ / k2_) * a.overlap * a.rate : 0.0;

@@ -45,4 +45,11 @@ double repulsion(const Law& law, Approach a, const typename Law::Memory& memory)
 /// the repulsive force (25).
 enum class ContactEnd { overlap, force };
 
+/// What happens when a pair whose force has fallen to zero (25) is pushed together again before it has separated; only
+/// where the contact ends by force.
+enum class Reclosing {
+  repels,  ///< the force stays max(0, ·) of (30), the memory that of t_b: it repels again
+  silent   ///< the literal reading: no force until the pair has separated; bodies can pass through each other
+};
+
 }  // namespace ricochet

@@ -10,12 +10,6 @@
 
 namespace ricochet {
 
-/// What happens when a pair whose force has fallen to zero is pushed together again before it has separated.
-enum class Reclosing {
-  repels,  ///< the law goes on with its memory, clamped at zero
-  silent   ///< no force until the pair has separated: the literal reading; bodies can pass through each other
-};
-
 struct ClusterOptions {
   double step = 0;               ///< Δt [s], > 0
   double skin = 0;               ///< of the neighbour list [m]; 0: a third of the smallest radius

@@ -36,6 +36,8 @@ class ColumnEngine {
   void skip_free_flight() noexcept;
   /// Whether no further force can act; see ColumnEnd. Linear in the beads.
   bool finished() const noexcept;
+  /// Whether all velocities and overlaps are; else the step was too large. Linear in the beads.
+  bool finite() const noexcept;
   bool any_contact() const noexcept { return active_ > 0; }
   /// Whether bodies overlap that do not move apart.
   bool resting() const noexcept;
@@ -49,7 +51,7 @@ class ColumnEngine {
   ColumnEnergy energy() const noexcept;
 
  private:
-  enum State : std::uint8_t { apart, touching, released };  // released: Recontact::waits, without force until apart
+  enum State : std::uint8_t { apart, touching, released };  // released: Reclosing::silent, without force until apart
   struct Event {
     std::size_t contact;
     double active;  // part of the step in which the contact acts [s]
@@ -79,7 +81,7 @@ class ColumnEngine {
 
   std::size_t beads_;
   double step_, gravity_, time_ = 0, negligible_rate_ = 0;
-  bool repulsive_, waits_, energy_;
+  bool repulsive_, silent_, energy_;
   std::array<Law, 2> laws_;
   std::vector<std::uint32_t> kind_;
   detail::ColumnMemory<Law> memory_;
@@ -101,7 +103,7 @@ class ColumnEngine {
 template <ContactLaw Law>
 ColumnEngine<Law>::ColumnEngine(const Column& column, const Law& plate, const Law& pair, const ColumnOptions& options)
     : beads_(column.mass.size()), step_(options.step), gravity_(column.gravity),
-      repulsive_(options.end == ContactEnd::force), waits_(repulsive_ && options.recontact == Recontact::waits),
+      repulsive_(options.end == ContactEnd::force), silent_(repulsive_ && options.reclosing == Reclosing::silent),
       energy_(options.energy), laws_{plate, pair}, kind_(beads_ + 2, 1), memory_(laws_, kind_, options.step) {
   detail::check(column);
   detail::require_positive("step", step_);
@@ -194,7 +196,7 @@ double ColumnEngine<Law>::clamp(std::size_t j, double mean, double before, doubl
 template <ContactLaw Law>
 void ColumnEngine<Law>::stop_pressing(std::size_t j, double when) noexcept {
   pressing_[j] = 0;
-  if (waits_) state_[j] = released;
+  if (silent_) state_[j] = released;
   last_contact_time_ = when - begin_[j];
 }
 
@@ -361,10 +363,17 @@ bool ColumnEngine<Law>::finished() const noexcept {
   // A memory of arms may turn repulsive again while the pair still overlaps; the other laws cannot at a falling overlap.
   constexpr bool may_wake = detail::ColumnMemory<Law>::may_wake;
   for (std::size_t j = 1; j <= beads_; ++j) {
-    if (rate(j) > negligible_rate_) return false;
+    if (!(rate(j) <= negligible_rate_)) return false;
     if (state_[j] != apart && (may_wake || !repulsive_ || mean_[j] > 0)) return false;
   }
   return true;
+}
+
+template <ContactLaw Law>
+bool ColumnEngine<Law>::finite() const noexcept {
+  for (std::size_t j = 1; j <= beads_; ++j)
+    if (!std::isfinite(velocity_[j]) || !std::isfinite(overlap_[j])) return false;
+  return std::isfinite(time_);
 }
 
 template <ContactLaw Law>
@@ -377,9 +386,14 @@ bool ColumnEngine<Law>::resting() const noexcept {
 template <ContactLaw Law>
 double ColumnEngine<Law>::stored(std::size_t j) const noexcept {
   if (state_[j] != touching) return 0;
-  const double held = memory_.law(j).stored_energy({overlap_[j], rate(j)}, memory_.memory(j));
-  // Bodies that part under a force held at zero would stretch the springs of a memory without doing work on them.
-  return pressing_[j] || !repulsive_ ? held : std::min(held, stored_[j]);
+  const Approach at{overlap_[j], rate(j)};
+  const Law& law = memory_.law(j);
+  const auto memory = memory_.memory(j);
+  const double held = law.stored_energy(at, memory);
+  if (!repulsive_ || (pressing_[j] && law.force(at, memory) > 0)) return held;
+  // Bodies that part under a force held at zero would stretch the springs of a law without doing work on them: no more is
+  // stored than was and than the impulse has put in.
+  return std::clamp(stored_[j] + applied_[j] * (overlap_[j] - old_overlap_[j]), 0.0, held);
 }
 
 /// What each contact burns in this step: one that acts all through it burns its power (midpoint); one that starts, ends

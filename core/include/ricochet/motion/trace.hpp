@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ricochet/detail/require.hpp>
 #include <ricochet/motion/collision.hpp>
 
 #include <cstddef>
@@ -16,9 +17,14 @@ struct TracePoint {
 
 /// The motion m ζ'' + force = 0 from ζ = 0, ζ' = v₀ over `duration` [s] in equal steps, to be drawn or listed: the
 /// velocity Verlet scheme with the rate extrapolated for the force and corrected once, second order where the law is
-/// smooth. `collide` is the accurate way to the numbers of a collision; this is the way to its curves.
+/// smooth. `collide` is the accurate way to the numbers of a collision; this is the way to its curves. Gives steps + 1
+/// points. Throws std::invalid_argument unless velocity, mass_eff and duration are finite and > 0 and steps at least 1.
 template <ContactLaw Law>
 std::vector<TracePoint> trace(const Law& law, const Impact& impact, double duration, std::size_t steps) {
+  detail::require_positive("velocity", impact.velocity);
+  detail::require_positive("mass_eff", impact.mass_eff);
+  detail::require_positive("duration", duration);
+  detail::require(steps >= 1, "steps", static_cast<double>(steps), "at least 1");
   const double h = duration / static_cast<double>(steps), m = impact.mass_eff;
   typename Law::Memory memory{};
   Approach now{0, impact.velocity};

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <ricochet/contact/any_law.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet::detail {
+
+/// How steeply a law's force rises with the overlap [N/m] and its rate [N s/m] in a binary collision, at most.
+struct Steepest {
+  double stiffness, damping;
+};
+
+inline Steepest steepest(const Linear& law, double, double) { return {law.k(), law.c()}; }
+inline Steepest steepest(const Hysteretic& law, double, double) { return {law.k2(), 0}; }
+
+/// kζ^{3/2} + cζ^p ζ' at a greatest overlap that neither its spring alone, ½mv² = (2/5)kζ^{5/2}, nor its dashpot alone,
+/// mv = cζ^{p+1}/(p+1), lets pass.
+inline Steepest steepest_hertzian(double k, double c, double p, double mass, double speed) {
+  const double by_spring = std::pow(1.25 * mass * speed * speed / k, 0.4);
+  const double by_dashpot = c > 0 ? std::pow((p + 1) * mass * speed / c, 1 / (p + 1)) : by_spring;
+  const double overlap = std::min(by_spring, by_dashpot);
+  return {1.5 * k * std::sqrt(overlap), c * std::pow(overlap, p)};
+}
+inline Steepest steepest(const KuwabaraKono& law, double mass, double speed) {
+  return steepest_hertzian(law.k(), law.c(), 0.5, mass, speed);
+}
+inline Steepest steepest(const Tsuji& law, double mass, double speed) {
+  return steepest_hertzian(law.k(), law.c(), 0.25, mass, speed);
+}
+
+}  // namespace ricochet::detail
