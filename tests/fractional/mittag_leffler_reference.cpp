@@ -20,17 +20,20 @@ Real reciprocal_gamma(const Real& x) {
 }
 
 Real series(const Real& a, const Real& b, const Real& x, const Real& radius) {
-  Real sum = 0, power = 1;
+  Real sum = 0, power = 1, greatest = 0;
   for (int k = 0;; ++k) {
-    const Real term = power * reciprocal_gamma(a * k + b);
+    const Real term = power * reciprocal_gamma(a * k + b), size = abs(term);
     sum += term;
-    if (a * k > 3 * radius + 2 && abs(term) < Real("1e-98") * (1 + abs(sum))) return sum;
+    if (size > greatest) greatest = size;
+    // Γ outgrows the power past 3|x|^{1/a}; where |x| < 1, the powers alone bound what is left, as 1/Γ < 2.
+    const bool bounded = radius < 1 || a * k > 3 * radius + 2;
+    if (bounded && (radius < 1 ? abs(power) : size) < Real("1e-90") * greatest) return sum;
     power *= x;
   }
 }
 
 // Poles of s^{a−b}/(s^a − x) on the principal sheet, then −Σ x^{−k}/Γ(b − ak) up to its smallest term: with
-// |x|^{1/a} > 75 the rest is below e^-75.
+// |x|^{1/a} > 75 the rest is below e^-75; or up to where no term counts any more.
 Real far_out(const Real& a, const Real& b, const Real& x, const Real& radius) {
   Real sum = 0;
   for (int j = x > 0 ? 0 : 1; j <= a; j += 2) {
@@ -38,7 +41,13 @@ Real far_out(const Real& a, const Real& b, const Real& x, const Real& radius) {
     const Real phase = radius * sin(angle) + (1 - b) * angle;
     sum += (j == 0 || j == a ? 1 : 2) * pow(radius, Real(1 - b)) * exp(Real(radius * cos(angle))) * cos(phase) / a;
   }
-  for (int k = 1; a * k < b + 70; ++k) sum -= pow(x, -k) * reciprocal_gamma(b - a * k);
+  Real power = 1;
+  for (int k = 1; a * k < b + 70; ++k) {
+    power /= x;
+    sum -= power * reciprocal_gamma(b - a * k);
+    const Real beyond = a * k > b ? Real(a * k - b) : Real(0);  // 1/|Γ(b − ak)| < 2 Γ(1 + beyond)
+    if (2 * abs(power) * boost::math::tgamma(Real(beyond + 1)) < Real("1e-40") * abs(sum)) break;
+  }
   return sum;
 }
 

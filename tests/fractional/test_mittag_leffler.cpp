@@ -66,8 +66,7 @@ void compare_with_multiprecision(int count, unsigned seed) {
     CHECK(direct <= 1);
     CHECK(prepared <= 1);
   }
-  INFO("worst error in units of the promise: " << worst);
-  CHECK(worst > 0);
+  WARN("worst error in units of the promise: " << worst);
 }
 
 }  // namespace
@@ -88,18 +87,34 @@ TEST_CASE("E matches multiprecision") { compare_with_multiprecision(50, 1); }
 TEST_CASE("E matches multiprecision at many points", "[.slow]") { compare_with_multiprecision(1500, 2); }
 
 TEST_CASE("E matches multiprecision for large b, whose contours are further out") {
-  double worst = 0;
-  for (double b : {2.6, 3.2, 7.7, 9.53, 19.0, 35.0, 56.9})
+  for (double b : {2.6, 9.53, 35.0, 56.9, 72.0, 145.0, 166.0})
     for (double a : {0.5, 1.3, 2.4})
-      for (double x : {-2e3, -50.0, -3.0, 0.7}) {
+      for (double x : {-2e3, -3.0, 0.7}) {
         const Reference reference = mittag_leffler_reference(a, b, x);
         CAPTURE(a, b, x, reference.digits);
-        const double direct = excess(mittag_leffler(a, b, x), reference.value, reference.slope);
-        worst = std::max(worst, direct);
-        CHECK(direct <= 1);
+        CHECK(excess(mittag_leffler(a, b, x), reference.value, reference.slope) <= 1);
+        CHECK(excess(MittagLeffler(a, b)(x), reference.value, reference.slope) <= 1);
       }
-  CAPTURE(worst);
-  CHECK(worst > 0);
+}
+
+TEST_CASE("E matches multiprecision for small a, where E_{a,a} is as small as a") {
+  for (double a : {1e-9, 2e-3, 0.0999})
+    for (double b : {a, 0.02, 1.0})
+      for (double x : {-9e5, -41.0, -1.7, -0.6, 0.02, 0.4}) {
+        const Reference reference = mittag_leffler_reference(a, b, x);
+        CAPTURE(a, b, x, reference.digits);
+        CHECK(excess(mittag_leffler(a, b, x), reference.value, reference.slope) <= 1);
+        CHECK(excess(MittagLeffler(a, b)(x), reference.value, reference.slope) <= 1);
+      }
+  for (double from_one : {-4.0, 1.9, 2.1})  // in units of a: both sides of where the forms meet
+    for (double a : {0.09})
+      for (double b : {a, 1.0}) {
+        const double x = 1 - from_one * a;
+        const Reference reference = mittag_leffler_reference(a, b, x);
+        CAPTURE(a, b, x, reference.digits);
+        CHECK(excess(mittag_leffler(a, b, x), reference.value, reference.slope) <= 1);
+        CHECK(excess(MittagLeffler(a, b)(x), reference.value, reference.slope) <= 1);
+      }
 }
 
 TEST_CASE("the tabulated reference values are those of the multiprecision series", "[.slow]") {
@@ -112,7 +127,7 @@ TEST_CASE("the tabulated reference values are those of the multiprecision series
 // What the switch points in core/src/fractional rest on: worst error in units of the promise over b, by a and x, of the
 // contour sum and of the prepared form. Run with: test_fractional "[.map]"
 TEST_CASE("error map of E", "[.map]") {
-  const std::array orders{0.1, 0.4, 0.8, 0.95, 0.97, 0.9999, 1.0, 1.0001, 1.04, 1.06, 1.2, 1.5, 1.8, 1.97, 2.0, 2.03, 2.4, 2.8, 3.0};
+  const std::array orders{1e-6, 0.01, 0.09, 0.1, 0.4, 0.8, 0.95, 0.97, 0.9999, 1.0, 1.0001, 1.04, 1.06, 1.2, 1.5, 1.8, 1.97, 2.0, 2.03, 2.4, 2.8, 3.0};
   const std::array arguments{-8e5, -3e4, -900.0, -41.0, -31.0, -29.0, -16.1, -15.9, -6.0, -1.01, -0.99, -0.1, 0.6, 2.1, 4.9};
   std::ostringstream map;
   map << "a \\ x: contour/prepared";

@@ -15,7 +15,12 @@ Form Form::choose(double a, double b, double x) {
   form.m = b < 0.5 ? 0 : 1;
   form.near_one = x < 0 && std::abs(a - 1) < least_pole_order - 1 && std::abs(b - form.m) < 0.15;
   if (a < 2 && b < a + 1) form.shifts = (x <= -1) + (x <= -30);
-  if (b < least_second && std::abs(x) < 1) form.shifts = -1;
+  if (a < least_plain_order) {
+    form.shifts = x <= -1;
+    form.near_zero = x < 1 - 2 * a;  // to the right, E is as large as the residue at the pole s = x^{1/a}, of order 1/a
+  } else if (b < least_second && std::abs(x) < 1) {
+    form.shifts = -1;
+  }
   return form;
 }
 
@@ -24,6 +29,8 @@ Nodes::Nodes(const HankelContour& contour, HankelContour::Grid grid, double a, d
   const ContourNodes& nodes = contour.nodes(grid);
   if (form.near_one)
     fill_near_one(nodes, a, b);
+  else if (form.near_zero)
+    fill_near_zero(nodes, a, b);
   else
     fill(nodes, a, b);
 }
@@ -35,8 +42,20 @@ void Nodes::fill(const ContourNodes& nodes, double a, double b) {
   std::copy_n((over_s ? nodes.over_s_re : nodes.weight_re).begin(), size_, re_.begin());
   std::copy_n((over_s ? nodes.over_s_im : nodes.weight_im).begin(), size_, im_.begin());
   if (chained) return multiply(form_.shifts + (over_s ? 1 : 0), pole_re_, pole_im_);
-  // In parts where b is large: e^s in the weight and s^{−b} would each leave the range of a double.
-  const double exponent = (1 + form_.shifts) * a - b;
+  multiply_by_power(nodes, (1 + form_.shifts) * a - b);
+}
+
+// weight·s^{shifts·a − b} (s^a − 1).
+void Nodes::fill_near_zero(const ContourNodes& nodes, double a, double b) {
+  complex_powers_less_one(size_, nodes.log_size.data(), nodes.argument.data(), a, pole_re_.data(), pole_im_.data());
+  std::copy_n(nodes.weight_re.begin(), size_, re_.begin());
+  std::copy_n(nodes.weight_im.begin(), size_, im_.begin());
+  multiply_by_power(nodes, form_.shifts * a - b);
+  multiply(1, pole_re_, pole_im_);
+}
+
+// In parts where b is large: e^s in the weight and s^{−b} would each leave the range of a double.
+void Nodes::multiply_by_power(const ContourNodes& nodes, double exponent) {
   const int parts = 1 + static_cast<int>(std::abs(exponent) / 40);
   Row power_re, power_im;
   complex_powers(size_, nodes.log_size.data(), nodes.argument.data(), exponent / parts, power_re.data(), power_im.data());

@@ -14,6 +14,9 @@ struct Form {
   int shifts = 0;         ///< how often E_{a,b} = (E_{a,b−a} − 1/Γ(b−a))/x is applied before integrating; −1: backwards
   bool near_one = false;  ///< the integrand of E_{1,m} is subtracted
   int m = 1;              ///< integer near b
+  /// s^a/(s^a − x) is written as (1 − x (s^a − 1)/(s^a − x))/(1 − x), whose first part integrates to a 1/Γ. What is left is
+  /// of order a, as E_{a,a} is, where a sum over the plain integrand, which is of order 1, would leave no digits of it.
+  bool near_zero = false;
 
   static Form choose(double a, double b, double x);
   bool operator==(const Form&) const = default;
@@ -24,19 +27,23 @@ class Nodes {
  public:
   Nodes(const HankelContour& contour, HankelContour::Grid grid, double a, double b, Form form);
 
-  double integral(double x) const { return form_.near_one ? integral_near_one(x) : integral_plain(x); }
+  double integral(double x) const {
+    return form_.near_one ? integral_near_one(x) : integral_plain(form_.near_zero ? x - 1 : x);
+  }
 
  private:
   using Row = ContourNodes::Row;
   void fill(const ContourNodes& nodes, double a, double b);
+  void fill_near_zero(const ContourNodes& nodes, double a, double b);
   void fill_near_one(const ContourNodes& nodes, double a, double b);
+  void multiply_by_power(const ContourNodes& nodes, double exponent);
   void multiply(int times, const Row& q_re, const Row& q_im);
   double integral_plain(double x) const;
   double integral_near_one(double x) const;
 
   std::size_t size_;
   Form form_;
-  Row pole_re_, pole_im_, re_, im_;
+  Row pole_re_, pole_im_, re_, im_;          // s^a, near zero s^a − 1; the numerator
   Row linear_re_, linear_im_, s_re_, s_im_;  // only near one
 };
 
@@ -77,6 +84,8 @@ double versine(double x);
 /// Puts E together from its integral: undoes the shifts, adds E_{1,m} near one. gamma(k) = 1/Γ(b − ka), k = 0, 1, 2.
 template <class Gamma>
 double assemble(double x, Form form, double integral, const Gamma& gamma) {
+  if (form.near_zero)  // (E_{a,b−a} − 1/Γ(b−a))/x with the two parts put together: the x cancels
+    return (gamma(form.shifts) - (form.shifts == 0 ? x : 1.0) * integral) / (1 - x);
   double value = integral;
   if (form.shifts < 0) value = gamma(0) + x * value;
   for (int k = form.shifts; k > 0; --k) value = (value - gamma(k)) / x;
@@ -86,6 +95,9 @@ double assemble(double x, Form form, double integral, const Gamma& gamma) {
 
 /// Below this a the pair of poles at x < 0 is so near the cut that the rule integrates it to rounding.
 inline constexpr double least_pole_order = 1.05;
+
+/// Below this a the integrand differs from a constant times e^s s^{−b} by so little that the constant is taken out.
+inline constexpr double least_plain_order = 0.1;
 
 /// Below this b, E near x = 0 is as small as 1/Γ(b) ≈ b, and the first term of its series is kept apart.
 inline constexpr double least_second = 0.3;
