@@ -149,6 +149,20 @@ TEST_CASE("The limits of a memory kernel are exact, and orders next to them work
   CHECK(memory_kernel(0.5, 1, 1, 1e-6).error() <= 1e-6);
 }
 
+TEST_CASE("No part of a memory kernel gains energy, however close to a spring") {
+  for (const double alpha : {1e-17, 1e-13, 1.1e-10, 9.5e-7, 1e-4})
+    for (const double tolerance : {0.07, 1e-2, 1e-5})
+      for (const double ratio : {1.0, 178.0}) {
+        CAPTURE(alpha, tolerance, ratio);
+        const MemoryKernel kernel = memory_kernel(alpha, 1, ratio, tolerance);
+        CHECK(kernel.error() <= tolerance);
+        CHECK(kernel.spring() > 0);
+        CHECK(kernel.dashpot() >= 0);
+        if (alpha > 1e-12) CHECK((kernel.dashpot() > 0 && kernel.dashpot() < alpha));
+        for (const Arm& arm : kernel.arms()) CHECK((arm.strength > 0 && arm.rate > 0));
+      }
+}
+
 TEST_CASE("A memory kernel scales with the unit of time") {
   const MemoryKernel a = memory_kernel(0.3, 1, 50, 1e-8), b = memory_kernel(0.3, 1e-6, 50e-6, 1e-8);
   REQUIRE(a.arms().size() == b.arms().size());

@@ -242,7 +242,8 @@ Vector more_arms(const Vector& x, std::size_t n, Real ease) {
 class Growth {
  public:
   Growth(Real alpha, Real tolerance)
-      : newton_tolerance_(std::max(1e-16L, 1e-4L * tolerance)),
+      // All that is not spring is of order α: what Newton leaves over must be small against that too.
+      : newton_tolerance_(std::max(1e-17L, 1e-4L * std::min(tolerance, alpha))),
         fit_(alpha, {std::log(0.5L * std::pow(ratio_, -alpha)), 0, 0}),
         points_{std::pow(ratio_, 0.1464L), std::pow(ratio_, 0.8536L)} {
     interpolate(fit_, points_, ratio_);
