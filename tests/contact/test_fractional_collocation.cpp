@@ -1,34 +1,26 @@
+#include "reference_contacts.hpp"
+
 #include <catch2/catch.hpp>
 #include <ricochet/contact/fractional_collocation.hpp>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
-#include <string>
 
 using namespace ricochet;
 
 TEST_CASE("24 collocation nodes reproduce the tabulated fractional contacts to 1e-10") {
-  std::ifstream table(RICOCHET_SOURCE_DIR "/data/fractional_contact_reference.csv");
-  int rows = 0;
-  for (std::string line; std::getline(table, line);) {
-    if (line.empty() || line[0] == '#' || line[0] == 'a') continue;
-    for (char& c : line)
-      if (c == ',') c = ' ';
-    double alpha = 0, z_star = 0, tau = 0, en = 0, overlap_end = 0, z_max = 0, t_max = 0, max_overlap = 0;
-    std::istringstream(line) >> alpha >> z_star >> tau >> en >> overlap_end >> z_max >> t_max >> max_overlap;
-    INFO("alpha = " << alpha);
-    const FractionalSolution s = collocate_collision(alpha, 24);
+  const auto table = reference_contacts();
+  CHECK(table.size() == 12);
+  for (const FractionalContact& r : table) {
+    INFO("alpha = " << r.alpha);
+    const FractionalSolution s = collocate_collision(r.alpha, 24);
     REQUIRE(s.separated);
-    CHECK(std::abs(s.tcol / tau - 1) < 1e-10);
-    CHECK(std::abs(s.en / en - 1) < 1e-10);
-    CHECK(std::abs(s.overlap_end / tau - overlap_end) < 1e-10 * max_overlap);
-    CHECK(std::abs(s.t_max_overlap / tau / t_max - 1) < 1e-10);
-    CHECK(std::abs(s.max_overlap / tau / max_overlap - 1) < 1e-10);
+    CHECK(std::abs(s.tcol / r.tau - 1) < 1e-10);
+    CHECK(std::abs(s.en / r.en - 1) < 1e-10);
+    CHECK(std::abs(s.overlap_end / r.tau - r.overlap_end) < 1e-10 * r.max_overlap);
+    CHECK(std::abs(s.t_max_overlap / r.tau / r.t_max_overlap - 1) < 1e-10);
+    CHECK(std::abs(s.max_overlap / r.tau / r.max_overlap - 1) < 1e-10);
     CHECK(s.solves == 1);
-    ++rows;
   }
-  CHECK(rows == 12);
 }
 
 TEST_CASE("collocation knows which collisions do not end") {

@@ -1,13 +1,12 @@
+#include "reference_contacts.hpp"
+
 #include <catch2/catch.hpp>
 #include <ricochet/contact/fractional_collocation.hpp>
 #include <ricochet/contact/fractional_contact.hpp>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numbers>
-#include <sstream>
-#include <string>
 
 using namespace ricochet;
 using std::numbers::pi;
@@ -19,15 +18,9 @@ bool agree(double x, double y, double relative) { return std::abs(x - y) <= rela
 }  // namespace
 
 TEST_CASE("the fractional contact has its tabulated numbers to 1e-12") {
-  std::ifstream table(RICOCHET_SOURCE_DIR "/data/fractional_contact_reference.csv");
-  int rows = 0;
-  for (std::string line; std::getline(table, line);) {
-    if (line.empty() || line[0] == '#' || line[0] == 'a') continue;
-    for (char& c : line)
-      if (c == ',') c = ' ';
-    FractionalContact r{};
-    std::istringstream(line) >> r.alpha >> r.z_star >> r.tau >> r.en >> r.overlap_end >> r.z_max_overlap >>
-        r.t_max_overlap >> r.max_overlap;
+  const auto table = reference_contacts();
+  CHECK(table.size() == 12);
+  for (const FractionalContact& r : table) {
     INFO("alpha = " << r.alpha);
     const FractionalContact c = fractional_contact(r.alpha);
     CHECK(agree(c.z_star, r.z_star, 1e-12));
@@ -38,9 +31,7 @@ TEST_CASE("the fractional contact has its tabulated numbers to 1e-12") {
     CHECK(agree(c.t_max_overlap, r.t_max_overlap, 1e-12));
     CHECK(agree(c.max_overlap, r.max_overlap, 1e-12));
     CHECK(std::abs(conversion_degree(r.en) - r.alpha) <= 1e-12);
-    ++rows;
   }
-  CHECK(rows == 12);
 }
 
 TEST_CASE("closed form and collocation agree on every number of the fractional contact") {
