@@ -3,6 +3,7 @@
 #include <console/exit.hpp>
 #include <console/number.hpp>
 #include <console/program.hpp>
+#include <console/signals.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -14,14 +15,20 @@ namespace {
 
 using namespace ricochet;
 
-// What a shell reports of a program that SIGINT ended.
-constexpr auto interrupted = static_cast<console::Exit>(130);
-
 std::string read_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   if (!in || !(text << in.rdbuf())) throw console::BadInput(path + ": cannot be read; must be a scene file");
   return text.str();
+}
+
+void announce(const simulate::Scene& scene) {
+  std::fprintf(stderr, "simulate: %zu spheres, %zu walls, %llu steps of %s s%s\n", scene.setup.spheres.size(),
+               scene.setup.walls.size(), static_cast<unsigned long long>(scene.steps),
+               console::significant(scene.options.step, 4).c_str(),
+               scene.stiffest.tcol > 0
+                   ? (", the shortest collision takes about " + console::significant(scene.stiffest.tcol, 3) + " s").c_str()
+                   : "");
 }
 
 }  // namespace
@@ -39,15 +46,10 @@ int main(int argc, char** argv) {
   app.add_flag("--resume", resume, "go on with an interrupted run in that folder");
   return console::run_program(app, argc, argv, [&] {
     const simulate::Scene scene = simulate::read_scene(file, read_file(file));
-    std::fprintf(stderr, "simulate: %zu spheres, %zu walls, %llu steps of %s s%s\n", scene.setup.spheres.size(),
-                 scene.setup.walls.size(), static_cast<unsigned long long>(scene.steps),
-                 console::significant(scene.options.step, 4).c_str(),
-                 scene.stiffest.tcol > 0
-                     ? (", the shortest collision takes about " + console::significant(scene.stiffest.tcol, 3) + " s").c_str()
-                     : "");
-    if (simulate::run(scene, folder, resume) == simulate::Outcome::complete) return console::Exit::done;
+    const int signal = simulate::run(scene, folder, resume, [&] { announce(scene); });
+    if (signal == 0) return console::Exit::done;
     std::fprintf(stderr, "simulate: stopped, all written; go on with: simulate %s -o %s --resume\n", file.c_str(),
                  folder.c_str());
-    return interrupted;
+    console::end_by(signal);
   });
 }

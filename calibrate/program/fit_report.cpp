@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ricochet::calibration {
 namespace {
@@ -225,8 +226,13 @@ console::Exit run_fit(const Options& options) {
   const auto requests = requests_of(options, defaults.impact.mass_eff, report.left_out);
   report.data = read_measurements(options.fit);
   fit_all(report, requests, options.fit);
-  console::emit(options.output.file, rendered(report, options.output.format));
-  if (!options.figures.empty()) console::draw(figure_of(report.fits, report.data), options.figures);
+  // Both are whole before either takes its place.
+  std::optional<console::OutputFolder> figures;
+  if (!options.figures.empty()) console::draw(figure_of(report.fits, report.data), figures.emplace(options.figures));
+  console::Output output(options.output.file);
+  output.write(rendered(report, options.output.format));
+  if (figures) figures->commit();
+  output.commit();
   return console::Exit::done;
 }
 

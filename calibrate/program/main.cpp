@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
+
 using namespace ricochet;
 using namespace ricochet::calibration;
 
@@ -25,9 +27,14 @@ console::Exit work(Options& options) {
   if (options.law.empty()) options.law = "all";
   options.settings.method = options.method == "direct" ? Method::direct : Method::nlopt;
   const Report report = run(job_of(options), options.settings);
-  if (!options.page.empty()) console::write_atomically(options.page, page_of(report));
-  console::emit(options.output.file, options.engine.empty() ? render(report, options.output.format)
-                                                            : exported(report, options.engine, options.output.format));
+  // Both are whole before either takes its place.
+  std::optional<console::AtomicFile> page;
+  if (!options.page.empty()) page.emplace(options.page).write(page_of(report));
+  console::Output output(options.output.file);
+  output.write(options.engine.empty() ? render(report, options.output.format)
+                                      : exported(report, options.engine, options.output.format));
+  if (page) page->commit();
+  output.commit();
   // Other laws that did reach the target answer the question; only a lone law that cannot is an error.
   if (report.results.empty())
     throw console::Unreachable(lone_failure(report.infeasible.front()));

@@ -8,28 +8,13 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <memory>
 #include <thread>
 
 namespace ricochet::calibration {
 namespace {
 
-using console::AtomicFile;
 using console::BadInput;
 using console::LineBlocks;
-
-/// Where the rows go: the file, whole or not at all, or stdout as they come.
-class Sink {
- public:
-  explicit Sink(const std::string& path) : file_(path.empty() ? nullptr : std::make_unique<AtomicFile>(path)) {}
-  void write(std::string_view bytes) { file_ ? file_->write(bytes) : console::write_stdout(bytes); }
-  void commit() {
-    if (file_) file_->commit();
-  }
-
- private:
-  std::unique_ptr<AtomicFile> file_;
-};
 
 /// Answers the blocks on `threads` threads; which takes which does not show in the answers.
 std::vector<Answers> answered(const TargetRows& rows, const std::vector<LineBlocks::Block>& blocks, unsigned threads) {
@@ -97,8 +82,8 @@ console::Exit run_targets(const Options& options) {
   const std::string header = take_header(source, blocks[0], options.targets, line);
   const DirectCalibrator calibrator;
   const TargetRows rows(options.targets, line, header, defaults, calibrator);
-  Sink sink(options.output.file);
-  sink.write(rows.header());
+  console::Output output(options.output.file);
+  output.write(rows.header());
   console::Progress progress("calibrate", source.size());
   Complaints complaints;
   // Rounds of a few blocks a thread: reading and writing take a small share of the time that the rows do.
@@ -110,13 +95,13 @@ console::Exit run_targets(const Options& options) {
     }
     const auto answers = answered(rows, blocks, threads);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-      sink.write(answers[i].text);
+      output.write(answers[i].text);
       complaints.add(answers[i]);
       progress.advance(blocks[i].text.size());
     }
     blocks.clear();
   }
-  sink.commit();
+  output.commit();
   return complaints.finish() ? console::Exit::gate_failed : console::Exit::done;
 }
 

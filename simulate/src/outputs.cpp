@@ -2,12 +2,16 @@
 
 #include <console/exit.hpp>
 #include <console/number.hpp>
+#include <console/output.hpp>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
-#include <cstring>
-
-#include <unistd.h>
+#include <system_error>
+#include <utility>
 
 namespace ricochet::simulate {
 namespace {
@@ -64,26 +68,52 @@ std::string contact_row(const Scene& scene, const Encounter& e) {
          finite_or_empty(e.separation) + ',' + std::string(name(e.how)) + ',' + phases + '\n';
 }
 
-GrowingFile::GrowingFile(std::string path, std::uint64_t length) : path_(std::move(path)), length_(length) {
-  file_.reset(std::fopen(path_.c_str(), length == 0 ? "wb" : "r+b"));
-  if (!file_) throw console::BadInput(path_ + ": cannot write: " + std::strerror(errno));
+GrowingFile::GrowingFile(std::string path, std::uint64_t length)
+    : path_(std::move(path)), length_(length),
+      file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (length == 0 ? O_TRUNC : 0), 0666)) {
+  if (file_ < 0) throw console::BadInput(path_ + ": cannot write: " + std::generic_category().message(errno));
   if (length == 0) return;
-  std::fseek(file_.get(), 0, SEEK_END);
-  if (static_cast<std::uint64_t>(std::ftell(file_.get())) < length)
+  const off_t end = ::lseek(file_, 0, SEEK_END);
+  if (end < static_cast<off_t>(length)) {
+    ::close(file_);
     throw console::BadInput(path_ + ": shorter than when the state was saved; start again without --resume");
-  if (::ftruncate(::fileno(file_.get()), static_cast<off_t>(length)) != 0)
-    throw console::Failed(path_ + ": cannot write: " + std::strerror(errno));
-  std::fseek(file_.get(), 0, SEEK_END);
+  }
+  if (::ftruncate(file_, static_cast<off_t>(length)) != 0 || ::lseek(file_, 0, SEEK_END) < 0) {
+    const int error = errno;
+    ::close(file_);
+    throw console::CannotWrite(path_, error);
+  }
 }
 
-void GrowingFile::append(const std::string& bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size())
-    throw console::Failed(path_ + ": cannot write: " + std::strerror(errno));
-  length_ += bytes.size();
+GrowingFile::~GrowingFile() {
+  try {
+    write_pending();
+  } catch (const console::CannotWrite&) {
+    // Whoever called for it has been told; here another failure is on its way.
+  }
+  ::close(file_);
+}
+
+void GrowingFile::append(const std::string& record) {
+  constexpr std::size_t worth_a_call = 1 << 16;
+  pending_ += record;
+  if (pending_.size() >= worth_a_call) write_pending();
+}
+
+void GrowingFile::write_pending() {
+  const std::string records = std::exchange(pending_, {});
+  try {
+    console::write_all(file_, records, path_);
+  } catch (...) {
+    [[maybe_unused]] const int cut = ::ftruncate(file_, static_cast<off_t>(length_));  // half a record goes again
+    throw;
+  }
+  length_ += records.size();
 }
 
 std::uint64_t GrowingFile::flush() {
-  if (std::fflush(file_.get()) != 0) throw console::Failed(path_ + ": cannot write: " + std::strerror(errno));
+  write_pending();
+  if (::fdatasync(file_) != 0 && errno != EINVAL && errno != EROFS) throw console::CannotWrite(path_, errno);
   return length_;
 }
 

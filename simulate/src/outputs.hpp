@@ -4,8 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,20 +15,25 @@ std::string contact_row(const Scene& scene, const Encounter& encounter);
 std::string energy_header();
 std::string contact_header();
 
-/// A file that grows. Cut to `length` when opened.
+/// A file that grows by whole records and holds nothing else, even when the disk is full or the program is stopped.
 class GrowingFile {
  public:
+  /// Cut to `length`. Throws console::BadInput where the path cannot be written or the file is shorter.
   GrowingFile(std::string path, std::uint64_t length);
-  void append(const std::string& bytes);
+  ~GrowingFile();
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+
+  /// Throws console::CannotWrite with the path and the reason.
+  void append(const std::string& record);
   std::uint64_t flush();  ///< to the disc; the length now
 
  private:
-  struct Close {
-    void operator()(std::FILE* f) const noexcept { std::fclose(f); }
-  };
-  std::string path_;
-  std::unique_ptr<std::FILE, Close> file_;
+  void write_pending();
+
+  std::string path_, pending_;
   std::uint64_t length_;
+  int file_;
 };
 
 }  // namespace ricochet::simulate

@@ -7,9 +7,9 @@
 #include <console/number.hpp>
 #include <console/output.hpp>
 #include <console/progress.hpp>
+#include <console/signals.hpp>
 
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -20,31 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-volatile std::sig_atomic_t stop_asked = 0;
-extern "C" void ask_to_stop(int) { stop_asked = 1; }
-
-// Asks to stop on the first signal; a second one ends the program as if it were not caught.
-class StopOnSignal {
- public:
-  StopOnSignal() {
-    stop_asked = 0;
-    struct sigaction action = {};
-    action.sa_handler = ask_to_stop;
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-    ::sigaction(SIGINT, &action, &before_int_);
-    ::sigaction(SIGTERM, &action, &before_term_);
-  }
-  ~StopOnSignal() {
-    ::sigaction(SIGINT, &before_int_, nullptr);
-    ::sigaction(SIGTERM, &before_term_, nullptr);
-  }
-  StopOnSignal(const StopOnSignal&) = delete;
-  StopOnSignal& operator=(const StopOnSignal&) = delete;
-
- private:
-  struct sigaction before_int_ = {}, before_term_ = {};
-};
 
 std::string read_all(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -70,18 +45,19 @@ class Run {
     }
   }
 
-  Outcome go() {
+  int go(const std::function<void()>& begun) {
+    begun();
     console::Progress progress("simulate", scene_.steps - cluster_.state().steps);
     auto saved = Clock::now();
     while (cluster_.state().steps < scene_.steps) {
-      if (stop_asked) return save(false), Outcome::interrupted;
+      if (const int signal = console::StopOnSignal::noted()) return save(false), signal;
       step();
       progress.advance();
       if (Clock::now() - saved > std::chrono::seconds(10)) save(false), saved = Clock::now();
     }
     for (const ContactState& c : cluster_.contacts()) contacts_.append(contact_row(scene_, c.record));
     save(true);
-    return Outcome::complete;
+    return 0;
   }
 
  private:
@@ -114,8 +90,8 @@ class Run {
 
 }  // namespace
 
-Outcome run(const Scene& scene, const std::string& folder, bool resume) {
-  const StopOnSignal signals;  // from here on, so that a stop while memory kernels are built leaves a state as well
+int run(const Scene& scene, const std::string& folder, bool resume, const std::function<void()>& begun) {
+  const console::StopOnSignal signals;  // from here on: a stop while memory kernels are built leaves a state as well
   const std::string state = folder + "/state.json";
   std::error_code error;
   if (!resume) {
@@ -123,13 +99,13 @@ Outcome run(const Scene& scene, const std::string& folder, bool resume) {
       throw console::BadInput("-o " + folder + ": holds a run already; --resume goes on with it, another folder starts anew");
     fs::create_directories(folder, error);
     if (error) throw console::BadInput("-o " + folder + ": cannot be made: " + error.message());
-    return Run(scene, folder, {}).go();
+    return Run(scene, folder, {}).go(begun);
   }
   const Checkpoint from = read_checkpoint(state, read_all(state));
   if (from.fingerprint != scene.fingerprint)
     throw console::BadInput(state + ": of another scene; must be of the one given");
-  if (from.complete) return Outcome::complete;
-  return Run(scene, folder, from).go();
+  if (from.complete) return 0;
+  return Run(scene, folder, from).go(begun);
 }
 
 }  // namespace ricochet::simulate

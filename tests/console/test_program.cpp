@@ -53,7 +53,9 @@ Ran run(std::vector<const char*> arguments, const std::function<Exit()>& body = 
     const auto shown = [&] {
       ricochet::detail::require(en > 0 && en <= 1, "en", en, "in (0, 1]");
       if (mass_eff) ricochet::detail::require_positive("mass_eff", *mass_eff);
-      emit(output.file, "en " + std::to_string(en) + " " + std::to_string(static_cast<int>(output.format)) + "\n");
+      Output answer(output.file);
+      answer.write("en " + std::to_string(en) + " " + std::to_string(static_cast<int>(output.format)) + "\n");
+      answer.commit();
       return Exit::done;
     };
     ::_exit(run_program(app, static_cast<int>(arguments.size()), arguments.data(), body ? body : shown));

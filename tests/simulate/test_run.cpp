@@ -42,27 +42,27 @@ TEST_CASE("an interrupted run, resumed, gives the bytes of one that was never st
   const Folder folder;
   const Scene scene = bounce("2");
   const std::string whole = folder.path / "whole", parts = folder.path / "parts";
-  REQUIRE(run(scene, whole, false) == Outcome::complete);
+  REQUIRE(run(scene, whole, false) == 0);
   std::thread interrupter([] {
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
     ::kill(::getpid(), SIGINT);
   });
-  const Outcome first = run(scene, parts, false);
+  const int first = run(scene, parts, false);
   interrupter.join();
-  REQUIRE(first == Outcome::interrupted);
+  REQUIRE(first == SIGINT);
   CHECK(read(parts + "/trajectory.xyz").size() < read(whole + "/trajectory.xyz").size());
   // What was written after the state is cut away again.
   std::ofstream(parts + "/energy.csv", std::ios::app) << "half a li";
-  CHECK(run(scene, parts, true) == Outcome::complete);
+  CHECK(run(scene, parts, true) == 0);
   for (const char* file : {"/trajectory.xyz", "/contacts.csv", "/energy.csv", "/state.json"})
     CHECK(read(parts + file) == read(whole + file));
-  CHECK(run(scene, parts, true) == Outcome::complete);  // nothing left to do
+  CHECK(run(scene, parts, true) == 0);  // nothing left to do
 }
 
 TEST_CASE("a run does not overwrite another, nor continue one of another scene") {
   const Folder folder;
   const Scene scene = bounce("0.01");
-  REQUIRE(run(scene, folder.path, false) == Outcome::complete);
+  REQUIRE(run(scene, folder.path, false) == 0);
   CHECK_THROWS_WITH(run(scene, folder.path, false), Catch::Contains("holds a run already; --resume"));
   CHECK_THROWS_WITH(run(bounce("0.02"), folder.path, true), Catch::Contains("of another scene"));
   CHECK_THROWS_AS(run(scene, folder.path / "none", true), console::BadInput);

@@ -46,21 +46,37 @@ Exit judged(const Study& study, const StudyResult& result) {
   return all_pass(result.gates) ? Exit::done : Exit::gate_failed;
 }
 
+/// The folder of --figures or --report, if one is asked for.
+using Folder = std::optional<console::OutputFolder>;
+
+/// Before anything is computed, so that a folder that cannot be written is told at once.
+void open_folder(Folder& folder, const std::string& path) {
+  if (!path.empty()) folder.emplace(path);
+}
+
 Exit run_one(Study& study, const Options& options) {
+  Folder folder;
+  open_folder(folder, options.folder);
+  console::Output output(options.output.file);
   const StudyResult result = study.run(options.run);
-  if (!options.folder.empty()) write_study(study, result, options.folder);
-  console::emit(options.output.file, shown(study, result, options.output.format));
+  if (folder) write_study(study, result, *folder);
+  output.write(shown(study, result, options.output.format));
+  if (folder) folder->commit();
+  output.commit();
   return judged(study, result);
 }
 
-/// Runs one study and, where there is a folder, writes it. What breaks down is told and kept in the outcome.
-Outcome run_guarded(Study& study, const Options& options, Exit& worst) {
+/// Runs one study and, where there is a folder, writes it. What breaks down is told and kept in the outcome; a folder
+/// that cannot be written ends all.
+Outcome run_guarded(Study& study, const Options& options, Folder& folder, Exit& worst) {
   Outcome outcome{.study = &study};
   const auto start = std::chrono::steady_clock::now();
   try {
     outcome.result = study.run(options.run);
-    if (!options.folder.empty()) outcome.pictures = write_study(study, *outcome.result, options.folder);
+    if (folder) outcome.pictures = write_study(study, *outcome.result, *folder);
     worst = std::max(worst, judged(study, *outcome.result));
+  } catch (const console::CannotWrite&) {
+    throw;
   } catch (const std::exception& error) {
     outcome.error = error.what();
     console::complain("verify", study.name() + ": " + error.what());
@@ -88,30 +104,27 @@ std::string shown_all(const std::vector<Outcome>& outcomes, Format format) {
   return format == Format::json ? console::document(all) : text;
 }
 
-/// The page is opened before the first study runs, so that a folder that cannot be written is told at once, and is put
-/// in its place last: it never links a file that is not there.
 Exit run_all(const Studies& studies, const Options& options) {
   Exit worst = Exit::done;
-  std::optional<console::AtomicFile> page;
-  if (!options.folder.empty()) {
-    make_folder(options.folder);
-    page.emplace(options.folder + "/index.html");
-  }
+  Folder folder;
+  open_folder(folder, options.folder);
+  console::Output output(options.output.file);
   std::vector<Outcome> outcomes;
   {
     console::Progress progress("verify", studies.size());
     for (const auto& study : studies) {
-      outcomes.push_back(run_guarded(*study, options, worst));
+      outcomes.push_back(run_guarded(*study, options, folder, worst));
       progress.advance();
     }
   }
-  if (page) {
+  if (folder) {
     const Facts made_by = facts(options.run.thorough);
-    console::write_atomically(options.folder + "/report.json", console::document(report_json(outcomes, made_by)));
-    page->write(report_page(outcomes, made_by));
-    page->commit();
+    folder->add("report.json", console::document(report_json(outcomes, made_by)));
+    folder->add("index.html", report_page(outcomes, made_by));
   }
-  console::emit(options.output.file, shown_all(outcomes, options.output.format));
+  output.write(shown_all(outcomes, options.output.format));
+  if (folder) folder->commit();
+  output.commit();
   return worst;
 }
 

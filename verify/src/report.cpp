@@ -1,11 +1,7 @@
 #include <verify/program.hpp>
 #include <verify/report.hpp>
 
-#include <console/exit.hpp>
 #include <console/output.hpp>
-
-#include <filesystem>
-#include <system_error>
 
 namespace ricochet::verify {
 
@@ -26,21 +22,13 @@ Json files_of(const Outcome& outcome) {
 
 }  // namespace
 
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw console::BadInput(folder + ": cannot make the folder: " + error.message());
-}
-
 std::string table_file(const Study& study, std::size_t table) {
   return study.name() + (table ? "-" + std::to_string(table + 1) : "") + ".csv";
 }
 
-std::vector<std::string> write_study(const Study& study, const StudyResult& result, const std::string& folder) {
-  make_folder(folder);
-  console::write_atomically(folder + "/" + study.name() + ".json", console::document(study_json(study, result)));
-  for (std::size_t i = 0; i < result.tables.size(); ++i)
-    console::write_atomically(folder + "/" + table_file(study, i), result.tables[i].csv());
+std::vector<std::string> write_study(const Study& study, const StudyResult& result, console::OutputFolder& folder) {
+  folder.add(study.name() + ".json", console::document(study_json(study, result)));
+  for (std::size_t i = 0; i < result.tables.size(); ++i) folder.add(table_file(study, i), result.tables[i].csv());
   std::vector<std::string> pictures;
   for (const console::Figure& figure : result.figures) pictures.push_back(console::draw(figure, folder));
   return pictures;

@@ -1,13 +1,15 @@
 #include "engine_run.hpp"
 
+#include <console/child.hpp>
 #include <console/exit.hpp>
 #include <console/number.hpp>
+#include <console/scratch.hpp>
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 #include <unistd.h>
 
@@ -18,33 +20,6 @@ using calibration::Engine;
 using console::shortest;
 
 namespace {
-
-/// A folder that vanishes with the object.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "ricochet-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw console::Failed("no temporary folder can be made in " + name);
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
-  std::string read(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(path_ / name).rdbuf();
-    return text.str();
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::optional<std::string> on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
@@ -187,12 +162,11 @@ std::string last_words(const std::string& log) {
   return error.empty() ? last : error;
 }
 
-/// Runs the command in the folder; what it says goes into the file `log` there.
-void run_in(const ScratchFolder& folder, const std::string& command, const char* what) {
-  const std::string line = "cd '" + folder.path().string() +
-                           "' && QT_QPA_PLATFORM=offscreen OMPI_MCA_ess_singleton_isolated=1 " + command +
-                           " >log 2>&1 </dev/null";
-  if (std::system(line.c_str()) != 0) throw console::Failed(std::string(what) + ": " + last_words(folder.read("log")));
+/// Runs the program in the folder.
+void run_in(const console::ScratchFolder& folder, std::vector<std::string> arguments, const char* what) {
+  const console::Ran ran = console::run(
+      {std::move(arguments), folder.path(), {}, {"QT_QPA_PLATFORM=offscreen", "OMPI_MCA_ess_singleton_isolated=1"}});
+  if (!ran.found || ran.status != 0) throw console::Failed(std::string(what) + ": " + last_words(ran.out + "\n" + ran.err));
 }
 
 }  // namespace
@@ -214,12 +188,13 @@ std::optional<EngineProgram> EngineProgram::find(Engine engine, bool fractional)
 
 std::vector<Trajectory> EngineProgram::run(const std::string& snippet, const Encounter& pair,
                                            const std::vector<double>& steps) const {
-  const ScratchFolder folder;
+  const console::ScratchFolder folder;
   folder.write("snippet", snippet);
   const bool yade = engine_ == Engine::yade;
   const std::string script = yade ? "script.py" : "script";  // Yade goes by the ending
   folder.write(script, script_of(engine_, pair, steps));
-  run_in(folder, "'" + command_ + "' " + (yade ? "-n -x " + script : "-in " + script + " -log none"),
+  run_in(folder, yade ? std::vector{command_, std::string("-n"), std::string("-x"), script}
+                      : std::vector{command_, std::string("-in"), script, std::string("-log"), std::string("none")},
          text(engine_).data());
   std::vector<Trajectory> trajectories;
   for (std::size_t i = 0; i < steps.size(); ++i) {

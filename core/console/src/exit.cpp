@@ -3,11 +3,15 @@
 #include <unistd.h>
 
 #include <string>
+#include <system_error>
 
 namespace ricochet::console {
 
 BadInput::BadInput(std::string_view flag, std::string_view value, std::string_view accepted)
     : std::runtime_error(std::string(flag) + " = " + std::string(value) + ": must be " + std::string(accepted)) {}
+
+CannotWrite::CannotWrite(std::string_view path, int error)
+    : Failed(std::string(path) + ": cannot write: " + std::generic_category().message(error)) {}
 
 Exit exit_code(const std::exception& error) {
   if (dynamic_cast<const BadInput*>(&error) || dynamic_cast<const std::invalid_argument*>(&error))

@@ -1,89 +1,25 @@
-#include <console/exit.hpp>
+#include "cleanup.hpp"
+#include "durable.hpp"
+
 #include <console/output.hpp>
+#include <console/scratch.hpp>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
-#include <atomic>
+#include <algorithm>
 #include <cerrno>
-#include <climits>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <filesystem>
 #include <iostream>
-#include <memory>
 #include <system_error>
 #include <utility>
 
 namespace ricochet::console {
 
 namespace {
-
-// A signal handler may only reach what is static: the names of the temporary files that are open now.
-struct Slot {
-  std::atomic<bool> used{false};
-  std::array<char, PATH_MAX> path{};
-};
-std::array<Slot, 16> open_files;
-
-constexpr std::array deadly_signals{SIGINT, SIGTERM, SIGHUP};
-
-extern "C" void remove_open_files(int signal) {
-  for (const Slot& slot : open_files)
-    if (slot.used.load()) ::unlink(slot.path.data());
-  // The handler was installed with SA_RESETHAND: raised again, the signal ends the program as if never caught.
-  ::raise(signal);
-}
-
-// Only signals that would kill the program are caught: one that it handles (simulate) or ignores (nohup) stays as is.
-void install_handler() {
-  for (const int signal : deadly_signals) {
-    struct sigaction now = {};
-    ::sigaction(signal, nullptr, &now);
-    if (now.sa_handler != SIG_DFL) continue;
-    struct sigaction ours = {};
-    ours.sa_handler = remove_open_files;
-    ours.sa_flags = static_cast<int>(SA_RESETHAND);
-    ::sigaction(signal, &ours, nullptr);
-  }
-}
-
-int register_file(const std::string& path) {
-  install_handler();
-  for (std::size_t i = 0; i < open_files.size(); ++i) {
-    bool expected = false;
-    Slot& slot = open_files[i];
-    if (path.size() + 1 > slot.path.size()) return -1;
-    // The path is complete before `used` is set for good; a signal between the two finds an empty name.
-    if (!slot.used.compare_exchange_strong(expected, true)) continue;
-    std::memcpy(slot.path.data() + 1, path.data() + 1, path.size());
-    std::atomic_signal_fence(std::memory_order_seq_cst);
-    slot.path[0] = path[0];
-    return static_cast<int>(i);
-  }
-  return -1;  // more than 16 at once: still atomic, only not tidied up after a signal
-}
-
-void unregister_file(int slot) {
-  if (slot < 0) return;
-  auto& entry = open_files[static_cast<std::size_t>(slot)];
-  entry.path[0] = '\0';
-  entry.used.store(false);
-}
-
-std::string reason(int error) { return std::generic_category().message(error); }
-
-void write_all(int file, std::string_view bytes, const std::string& name) {
-  while (!bytes.empty()) {
-    const auto written = ::write(file, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw Failed(name + ": cannot write: " + reason(errno));
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
 
 std::string resolved(const std::string& path) {
   const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr), std::free);
@@ -92,63 +28,124 @@ std::string resolved(const std::string& path) {
 
 std::string folder_of(const std::string& path) {
   const auto slash = path.find_last_of('/');
-  return slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  return slash == std::string::npos ? "./" : path.substr(0, slash + 1);
+}
+
+/// What is at the end of a path that a file is to be written to.
+struct Target {
+  bool exists, regular;
+  mode_t mode;
+};
+
+/// Throws where a file cannot be put: a folder's name, or a file that may not be written. Such a file stays protected
+/// even where its folder would allow to replace it.
+Target look_at(const std::string& target, const std::string& shown) {
+  struct stat status = {};
+  const bool exists = ::stat(target.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) throw_cannot_create(shown, EISDIR);
+  const bool regular = exists && S_ISREG(status.st_mode);
+  if (regular && ::access(target.c_str(), W_OK) != 0) throw_cannot_create(shown, errno);
+  return {exists, regular, static_cast<mode_t>(exists ? status.st_mode & 07777 : 0666)};
+}
+
+void sync(int file, const std::string& shown) {
+  if (::fsync(file) != 0) throw CannotWrite(shown, errno);
+}
+
+/// A rename survives a crash once the folder is on disk; not every file system offers that.
+void sync_folder(const std::string& path) {
+  if (const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
+    const Descriptor closed_at_the_end(folder);
+    ::fsync(folder);
+  }
 }
 
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), target_(resolved(path_)) {
-  struct stat status = {};
-  const bool exists = ::stat(target_.c_str(), &status) == 0;
-  if (path_.empty() || (exists && S_ISDIR(status.st_mode)))
-    throw BadInput("-o", path_.empty() ? "''" : path_, "a file, not a folder");
-  if (exists && !S_ISREG(status.st_mode)) {
+  if (path_.empty()) throw BadInput("output = '': must be the name of a file");
+  const Target target = look_at(target_, path_);
+  if (!target.exists || target.regular) {
+    open_temporary(target.exists, target.mode);
+  } else {
     file_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file_ < 0) throw BadInput(path_ + ": cannot write: " + reason(errno));
-    return;
-  }
-  // A file that may not be written stays protected even where its folder would allow to replace it.
-  if (exists && ::access(target_.c_str(), W_OK) != 0) throw BadInput(path_ + ": cannot write: " + reason(errno));
-  const auto slash = target_.find_last_of('/');
-  const std::string name = slash == std::string::npos ? target_ : target_.substr(slash + 1);
-  for (int attempt = 0; file_ < 0; ++attempt) {
-    const std::string suffix = "." + std::to_string(::getpid()) + "." + std::to_string(attempt) + ".part";
-    // A name is at most 255 bytes long; the temporary one keeps as much of the target's as fits.
-    temporary_ = (slash == std::string::npos ? "./" : folder_of(target_)) + "." + name.substr(0, 200) + suffix;
-    slot_ = register_file(temporary_);  // before the file exists, so that no signal can fall in between
-    file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-                   exists ? status.st_mode & 07777 : 0666);
-    const int error = errno;
-    if (file_ >= 0) break;
-    unregister_file(std::exchange(slot_, -1));
-    if (error != EEXIST || attempt > 1000) throw BadInput(path_ + ": cannot write: " + reason(error));
+    if (file_ < 0) throw_cannot_create(path_, errno);
   }
 }
 
-AtomicFile::~AtomicFile() { discard(); }
+void AtomicFile::open_temporary(bool exists, unsigned mode) {
+  const auto slash = target_.find_last_of('/');
+  const std::string name = slash == std::string::npos ? target_ : target_.substr(slash + 1);
+  const SignalsHeld held;
+  for (int attempt = 0; file_ < 0; ++attempt) {
+    const std::string suffix = "." + std::to_string(::getpid()) + "." + std::to_string(attempt) + ".part";
+    // A name is at most 255 bytes long; the temporary one keeps as much of the target's as fits.
+    temporary_ = folder_of(target_) + "." + name.substr(0, 200) + suffix;
+    file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (file_ < 0 && (errno != EEXIST || attempt > 1000)) throw_cannot_create(path_, errno);
+  }
+  passing_ = std::make_unique<Passing>(Passing::Kind::file, temporary_);
+  if (exists) ::fchmod(file_, mode);
+}
 
-void AtomicFile::discard() noexcept {
-  if (file_ >= 0) ::close(std::exchange(file_, -1));
+AtomicFile::~AtomicFile() {
+  if (file_ >= 0) ::close(file_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  temporary_.clear();
-  unregister_file(std::exchange(slot_, -1));
 }
 
 void AtomicFile::write(std::string_view bytes) { write_all(file_, bytes, path_); }
 
 void AtomicFile::commit() {
   const bool device = temporary_.empty();
-  if (!device && ::fsync(file_) != 0) throw Failed(path_ + ": cannot write: " + reason(errno));
-  if (::close(std::exchange(file_, -1)) != 0) throw Failed(path_ + ": cannot write: " + reason(errno));
+  if (!device) sync(file_, path_);
+  if (::close(std::exchange(file_, -1)) != 0) throw CannotWrite(path_, errno);
   if (device) return;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) throw Failed(path_ + ": cannot write: " + reason(errno));
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) throw CannotWrite(path_, errno);
   temporary_.clear();
-  unregister_file(std::exchange(slot_, -1));
-  // The rename itself survives a crash once the folder is on disk; not every file system offers that.
-  if (const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
-    ::fsync(folder);
-    ::close(folder);
+  passing_.reset();
+  sync_folder(folder_of(target_));
+}
+
+OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
+  std::error_code error;
+  made_ = std::filesystem::create_directories(path_, error);
+  if (error) throw BadInput(path_ + ": cannot make the folder: " + error.message());
+  staging_ = std::make_unique<ScratchFolder>(path_);
+}
+
+OutputFolder::~OutputFolder() {
+  staging_.reset();
+  if (made_) ::rmdir(path_.c_str());
+}
+
+void OutputFolder::add(const std::string& name, std::string_view bytes) {
+  const std::string shown = path_ + "/" + name;
+  const Target target = look_at(resolved(shown), shown);
+  const int file = ::open((staging_->path() + "/" + name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) throw_cannot_create(shown, errno);
+  const Descriptor closed_at_the_end(file);
+  if (target.exists) ::fchmod(file, target.mode);
+  write_all(file, bytes, shown);
+  sync(file, shown);
+  if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+}
+
+void OutputFolder::commit() {
+  const SignalsHeld held;
+  for (const std::string& name : names_) {
+    const std::string shown = path_ + "/" + name;
+    if (::rename((staging_->path() + "/" + name).c_str(), resolved(shown).c_str()) != 0) throw CannotWrite(shown, errno);
   }
+  names_.clear();
+  sync_folder(path_);
+}
+
+Output::Output(const std::string& path) : file_(path.empty() ? nullptr : std::make_unique<AtomicFile>(path)) {}
+
+void Output::write(std::string_view bytes) { file_ ? file_->write(bytes) : write_stdout(bytes); }
+
+void Output::commit() {
+  if (file_) file_->commit();
 }
 
 void write_atomically(const std::string& path, std::string_view bytes) {
@@ -163,11 +160,13 @@ void write_stdout(std::string_view bytes) {
   write_all(STDOUT_FILENO, bytes, "standard output");
 }
 
-void emit(const std::string& path, std::string_view bytes) {
-  if (path.empty())
-    write_stdout(bytes);
-  else
-    write_atomically(path, bytes);
+void write_all(int file, std::string_view bytes, std::string_view name) {
+  while (!bytes.empty()) {
+    const auto written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw CannotWrite(name, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
 }
 
 }  // namespace ricochet::console

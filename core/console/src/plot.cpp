@@ -1,103 +1,23 @@
 #include "svg_theme.hpp"
 
+#include <console/child.hpp>
 #include <console/exit.hpp>
 #include <console/output.hpp>
 #include <console/plot.hpp>
+#include <console/scratch.hpp>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
-#include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <string_view>
-#include <system_error>
-#include <vector>
+#include <cstring>
 
 namespace ricochet::console {
 
 namespace {
 
-/// A file in memory: gnuplot's input and outputs never touch the disk and no pipe can fill up and block.
-class MemoryFile {
- public:
-  MemoryFile() : file_(::memfd_create("gnuplot", MFD_CLOEXEC)) {
-    if (file_ < 0) throw Failed("gnuplot: no memory file: " + std::generic_category().message(errno));
-  }
-  ~MemoryFile() { ::close(file_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  int descriptor() const { return file_; }
-
-  void fill(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const auto written = ::write(file_, bytes.data(), bytes.size());
-      if (written < 0) throw Failed("gnuplot: cannot pass the script: " + std::generic_category().message(errno));
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    ::lseek(file_, 0, SEEK_SET);
-  }
-
-  std::string content() const {
-    ::lseek(file_, 0, SEEK_SET);
-    std::string all;
-    std::array<char, 65536> chunk{};
-    for (ssize_t n = 0; (n = ::read(file_, chunk.data(), chunk.size())) > 0;)
-      all.append(chunk.data(), static_cast<std::size_t>(n));
-    return all;
-  }
-
- private:
-  int file_;
-};
-
-struct Ran {
-  std::string out;
-  std::string err;
-  int status;
-};
-
-/// This process's environment in the C.UTF-8 locale: in plain C gnuplot warns about its degree sign, and in others
-/// it would draw decimal commas.
-std::vector<std::string> utf8_environment() {
-  std::vector<std::string> variables{"LC_ALL=C.UTF-8"};
-  for (char** entry = environ; *entry; ++entry)
-    if (!std::string_view(*entry).starts_with("LC_ALL=")) variables.emplace_back(*entry);
-  return variables;
-}
-
 Ran gnuplot(const std::string& script, const std::string& folder) {
-  MemoryFile in;
-  MemoryFile out;
-  MemoryFile err;
-  in.fill(script);
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  ::posix_spawn_file_actions_adddup2(&actions, in.descriptor(), STDIN_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, out.descriptor(), STDOUT_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, err.descriptor(), STDERR_FILENO);
-  std::array<char, 8> name{"gnuplot"};
-  std::array<char*, 2> arguments{name.data(), nullptr};
-  std::vector<std::string> variables = utf8_environment();
-  std::vector<char*> environment;
-  for (std::string& variable : variables) environment.push_back(variable.data());
-  environment.push_back(nullptr);
-  pid_t child = 0;
-  const int error = ::posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environment.data());
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (error == ENOENT) throw Failed("gnuplot: not found; Debian's package is gnuplot-nox");
-  if (error != 0) throw Failed("gnuplot: cannot start: " + std::generic_category().message(error));
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return {out.content(), err.content(), status};
+  Ran ran = run({.arguments = {"gnuplot"}, .folder = folder, .input = script});
+  if (!ran.found) throw Failed("gnuplot: not found; Debian's package is gnuplot-nox");
+  return ran;
 }
 
 /// What all figures share. Grid and axes stay behind the data; line types are the palette.
@@ -109,57 +29,51 @@ constexpr const char* house_style =
     "set linetype 5 lc rgb '#cc79a7' lw 2 pt 11\nset linetype 6 lc rgb '#56b4e9' lw 2 pt 6\n"
     "set linetype 7 lc rgb '#767676' lw 2 pt 4\nset linetype cycle 7\n";
 
+std::string why(const Ran& failed) {
+  if (!failed.err.empty()) return failed.err;
+  if (WIFSIGNALED(failed.status)) return std::string("ended by a signal: ") + ::sigdescr_np(WTERMSIG(failed.status));
+  return "nothing drawn";
+}
+
 std::string picture(const Figure& figure, const std::string& terminal, const std::string& folder) {
   const std::string size = std::to_string(figure.width) + "," + std::to_string(figure.height);
   const Ran ran = gnuplot("set terminal " + terminal + " size " + size + "\n" + house_style + figure.script + "\n", folder);
   // gnuplot ends with 0 on "warning: Skipping data file with no valid points": whatever it says is an error here.
   if (ran.status != 0 || !ran.err.empty() || ran.out.empty())
-    throw Failed("gnuplot, figure " + figure.name + ": " + (ran.err.empty() ? "nothing drawn" : ran.err));
+    throw Failed("gnuplot, figure " + figure.name + ": " + why(ran));
   return ran.out;
 }
 
-std::string vector_picture(const Figure& figure, const std::string& folder) {
-  return themed(picture(figure, "svg dynamic font 'sans-serif,14' background rgb 'white'", folder), figure.caption,
-                figure.finding);
-}
-
-/// A folder that is gone, with all that is in it, at the end of the scope.
-class PassingFolder {
+/// The figure's data in a folder that passes: where gnuplot runs.
+class Workshop {
  public:
-  PassingFolder() : path_((std::filesystem::temp_directory_path() / "ricochet-XXXXXX").string()) {
-    if (!::mkdtemp(path_.data())) throw Failed(path_ + ": cannot make the folder: " + std::generic_category().message(errno));
+  explicit Workshop(const Figure& figure) : figure_(figure) {
+    for (const DataFile& data : figure.data) folder_.write(data.name, data.bytes);
   }
-  ~PassingFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+  std::string svg() const {
+    return themed(picture(figure_, "svg dynamic font 'sans-serif,14' background rgb 'white'", folder_.path()),
+                  figure_.caption, figure_.finding);
   }
-  PassingFolder(const PassingFolder&) = delete;
-  PassingFolder& operator=(const PassingFolder&) = delete;
-  const std::string& path() const { return path_; }
+  std::string png() const { return picture(figure_, "pngcairo font 'sans,11' background rgb 'white'", folder_.path()); }
 
  private:
-  std::string path_;
+  const Figure& figure_;
+  ScratchFolder folder_;
 };
 
 }  // namespace
 
-std::string draw(const Figure& figure, const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw BadInput(folder + ": cannot make the folder: " + error.message());
-  for (const DataFile& data : figure.data) write_atomically(folder + "/" + data.name, data.bytes);
-  const std::string stem = folder + "/" + figure.name;
-  const std::string svg = vector_picture(figure, folder);
-  write_atomically(stem + ".svg", svg);
-  write_atomically(stem + ".png", picture(figure, "pngcairo font 'sans,11' background rgb 'white'", folder));
+std::string draw(const Figure& figure, OutputFolder& folder) {
+  const Workshop workshop(figure);
+  std::string svg = workshop.svg();
+  const std::string png = workshop.png();
+  for (const DataFile& data : figure.data) folder.add(data.name, data.bytes);
+  folder.add(figure.name + ".svg", svg);
+  folder.add(figure.name + ".png", png);
   return svg;
 }
 
-std::string svg_of(const Figure& figure) {
-  const PassingFolder folder;
-  for (const DataFile& data : figure.data) write_atomically(folder.path() + "/" + data.name, data.bytes);
-  return vector_picture(figure, folder.path());
-}
+std::string svg_of(const Figure& figure) { return Workshop(figure).svg(); }
 
 std::string gnuplot_version() {
   const Ran ran = gnuplot("set print '-'\nprint GPVAL_VERSION, ' patchlevel ', GPVAL_PATCHLEVEL\n", ".");

@@ -6,6 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -32,6 +35,15 @@ std::string in_flags(const CLI::App& app, const std::string& message) {
   std::string flag = "--" + message.substr(0, end);
   std::replace(flag.begin(), flag.end(), '_', '-');
   return has_flag(app, flag) ? flag + message.substr(end) : message;
+}
+
+/// A standard descriptor that is closed would be given to the next file that is opened, and complaints would land in
+/// it. Reading the one that takes its place finds nothing, and writing to it fails as before.
+void occupy_standard_descriptors() {
+  int file = 0;
+  while ((file = ::open("/dev/null", O_RDONLY)) >= 0 && file <= STDERR_FILENO) {
+  }
+  if (file >= 0) ::close(file);
 }
 
 Exit parse_and_run(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body) {
@@ -90,7 +102,8 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 }
 
 int run_program(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body) {
-  std::signal(SIGPIPE, SIG_IGN);
+  occupy_standard_descriptors();
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   try {
     return static_cast<int>(parse_and_run(app, argc, argv, body));
   } catch (const std::invalid_argument& error) {

@@ -7,15 +7,15 @@
 #include <utility>
 #include <vector>
 
+namespace ricochet::console {
+class OutputFolder;
+}
+
 namespace ricochet::verify {
 
-/// Writes a study into the folder (made if missing): <name>.json, each table as <name>.csv, <name>-2.csv, …, and its
-/// figures with their data; returns the figures as SVG. Each file is whole or absent. Throws as
-/// console::write_atomically and console::draw do.
-std::vector<std::string> write_study(const Study& study, const StudyResult& result, const std::string& folder);
-
-/// Makes the folder if it is missing; throws console::BadInput with the reason when it cannot.
-void make_folder(const std::string& folder);
+/// Adds a study to the folder: <name>.json, each table as <name>.csv, <name>-2.csv, …, and its figures with their data;
+/// returns the figures as SVG. Throws as console::OutputFolder and console::draw do.
+std::vector<std::string> write_study(const Study& study, const StudyResult& result, console::OutputFolder& folder);
 
 /// "orders.csv", "orders-2.csv", …
 std::string table_file(const Study& study, std::size_t table);

@@ -28,10 +28,16 @@ class Unreachable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A computation that failed, or a result that could not be written.
+/// A computation that failed.
 class Failed : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// A result that could not be written: "out.csv: cannot write: No space left on device". `error` is the system's.
+class CannotWrite : public Failed {
+ public:
+  CannotWrite(std::string_view path, int error);
 };
 
 /// The exit code that an exception stands for: BadInput and std::invalid_argument (the library's answer to misuse)

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ricochet::console {
+
+class ScratchFolder;
+class Passing;
 
 /// A file that appears whole or not at all: written to a temporary file in the same folder, made durable (fsync) and
 /// renamed by commit(). Without commit(), on an exception, and on SIGINT, SIGTERM or SIGHUP nothing is left behind
@@ -11,33 +16,65 @@ namespace ricochet::console {
 /// a symbolic link keeps pointing where it did. Not to be shared between threads.
 class AtomicFile {
  public:
-  /// Throws BadInput with the path and the reason when the file cannot be created.
+  /// Throws BadInput with the path and the reason when the file cannot be created, CannotWrite when there is no room.
   explicit AtomicFile(std::string path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Throws Failed with the path and the reason (disk full, …).
+  /// Throws CannotWrite with the path and the reason (disk full, …).
   void write(std::string_view bytes);
   void commit();
 
  private:
-  void discard() noexcept;
+  void open_temporary(bool exists, unsigned mode);
 
   std::string path_;       // as the user gave it, for messages
   std::string target_;     // links resolved
   std::string temporary_;  // empty: written straight through
-  int slot_ = -1;          // where the signal handler finds the temporary file
+  std::unique_ptr<Passing> passing_;
   int file_ = -1;
+};
+
+/// Files of one folder that appear together or not at all: written into a folder inside it that passes, made durable,
+/// and put in their places by commit(), while signals wait. Otherwise as AtomicFile.
+class OutputFolder {
+ public:
+  /// Makes the folder if it is missing; throws BadInput with the reason when it cannot.
+  explicit OutputFolder(std::string path);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// A name added twice gets the later bytes. Throws CannotWrite; BadInput where the name is a folder's or protected.
+  void add(const std::string& name, std::string_view bytes);
+  void commit();
+
+ private:
+  std::string path_;
+  bool made_;  // by us: gone again if nothing comes into it
+  std::unique_ptr<ScratchFolder> staging_;
+  std::vector<std::string> names_;
+};
+
+/// Where a program's answer goes: the file, whole or not at all, or stdout (empty path) as it comes.
+class Output {
+ public:
+  explicit Output(const std::string& path);
+  void write(std::string_view bytes);
+  void commit();
+
+ private:
+  std::unique_ptr<AtomicFile> file_;
 };
 
 /// AtomicFile, write, commit.
 void write_atomically(const std::string& path, std::string_view bytes);
 
-/// Writes all bytes to stdout; throws Failed when it is closed or full.
+/// Writes all bytes to stdout; throws CannotWrite when it is closed or full.
 void write_stdout(std::string_view bytes);
 
-/// To the file, atomically, or to stdout where `path` is empty.
-void emit(const std::string& path, std::string_view bytes);
+/// Writes all bytes to a descriptor; throws CannotWrite with the name and the reason.
+void write_all(int file, std::string_view bytes, std::string_view name);
 
 }  // namespace ricochet::console

@@ -37,10 +37,12 @@ struct Figure {
   std::string finding = {};  ///< what one sees in it, for those who cannot: sentences made from the numbers of this run
 };
 
-/// Writes the figure's data, `<name>.svg` and `<name>.png` into the folder (made if missing), each atomically; returns
-/// the SVG, which follows the reader's choice of light or dark. Throws Failed with gnuplot's own message when it
+class OutputFolder;
+
+/// Adds the figure's data, `<name>.svg` and `<name>.png` to the folder; returns the SVG, which follows the reader's
+/// choice of light or dark. Throws Failed with gnuplot's own message when it
 /// rejects the script, warns or draws nothing, or is not installed.
-std::string draw(const Figure& figure, const std::string& folder);
+std::string draw(const Figure& figure, OutputFolder& folder);
 
 /// The SVG alone, no file left behind. Throws as draw() does.
 std::string svg_of(const Figure& figure);

@@ -35,7 +35,8 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 /// Parses the command line into `app` and runs `body`. Every way out is an exit code and at most one line
 /// "<program>: …" on stderr: a wrong command line is bad input, --help and --version are done, exceptions map as
 /// exit_code() says; the library's "mass_eff = -1: must be …" is reported under the flag's name, "--mass-eff = -1".
-/// SIGPIPE is ignored, so that a reader who leaves shows as a write error (failed) like a full disk does.
+/// SIGPIPE and SIGXFSZ are ignored, so that a reader who leaves and a file that grows past the limit show as write
+/// errors (failed) like a full disk does.
 int run_program(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body);
 
 }  // namespace ricochet::console

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <csignal>
+#include <string>
+
+namespace ricochet::console {
+
+/// Removes the folder and the files in it; folders inside stay, and then so does it. Fit for signal handlers.
+void remove_folder(const char* path) noexcept;
+
+/// A temporary file or folder that SIGINT, SIGTERM and SIGHUP remove before they end the program. To be made together
+/// with the file while SignalsHeld, so that no signal falls in between.
+class Passing {
+ public:
+  enum class Kind { file, folder };
+  Passing() = default;
+  Passing(Kind kind, const std::string& path);
+  ~Passing() { forget(); }
+  Passing(Passing&& other) noexcept;
+  Passing& operator=(Passing&& other) noexcept;
+
+  /// It is gone, or has become what stays.
+  void forget() noexcept;
+
+ private:
+  int slot_ = -1;
+};
+
+/// The process group that a deadly signal kills as well; 0: none.
+void set_passing_child(pid_t group) noexcept;
+
+/// Holds SIGINT, SIGTERM and SIGHUP back until the end of the scope.
+class SignalsHeld {
+ public:
+  SignalsHeld() noexcept;
+  ~SignalsHeld();
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  /// What was held back before.
+  const sigset_t& before() const { return before_; }
+
+ private:
+  sigset_t before_;
+};
+
+}  // namespace ricochet::console
