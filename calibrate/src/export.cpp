@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace ricochet::calibration {
 
@@ -61,9 +60,7 @@ std::string_view word(ContactEnd end) { return end == ContactEnd::force ? "force
 /// "0.55 (+10 %)": a value beside the one asked for.
 std::string beside(double value, double asked) {
   const double percent = 100 * (value / asked - 1);
-  char shown[64];
-  std::snprintf(shown, sizeof shown, "%.6g (%+.2g %%)", value, percent);
-  return shown;
+  return rounded(value) + " (" + (percent < 0 ? "" : "+") + rounded(percent, 2) + " %)";
 }
 
 /// Breaks a sentence into comment lines of at most 100 columns.
@@ -170,10 +167,10 @@ std::string number(double value) {
   return std::string(buffer, end);
 }
 
-std::string rounded(double value) {
+std::string rounded(double value, int digits) {
   char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value);
-  return buffer;
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
+  return std::string(buffer, end);
 }
 
 Body absent(std::string why) { return {.remarks = {std::move(why)}}; }

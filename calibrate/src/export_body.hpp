@@ -25,7 +25,7 @@ Body write_mfix(const ExportCase& what);
 std::string number(double value);
 
 /// Six digits, for sentences.
-std::string rounded(double value);
+std::string rounded(double value, int digits = 6);  ///< like %g, whatever the locale
 
 Body absent(std::string why);
 /// For a law that is scaled by the grain's radius, when none was given.

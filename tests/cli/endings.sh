@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # endings.sh BIN SOURCE: however a program ends, each of its files is the old one or the new one, whole, nothing
-# temporary is left, and the exit code and one line on stderr say what happened. INSTANTS (default 20) signals a
+# temporary is left, and the exit code and one line on stderr say what happened. INSTANTS (default 12) signals a
 # command, spread over its run; more find rarer moments.
 set -euo pipefail
-bin=$(realpath "$1") source=$(realpath "$2") instants=${INSTANTS:-20}
+bin=$(realpath "$1") source=$(realpath "$2") instants=${INSTANTS:-12}
 folder=$(mktemp -d)
 chmod 755 "$folder"
 trap 'umount "$folder/small" 2>/dev/null || true; rm -rf "$folder"' EXIT
@@ -289,6 +289,31 @@ run bash -c 'ulimit -f 8; simulate source/data/scenes/bounce.json -o out'
 [[ $code == 4 ]] && grep -qE '^simulate: out/[a-z.]*: cannot write: File too large$' err || fail "simulate with ulimit -f: $code: $(cat err)"
 expected=4
 whole_records 'simulate with ulimit -f'
+
+# --- the other exit codes -------------------------------------------------------------------------------------------
+ends() { # code, pattern of stderr, command
+  rm -rf out && mkdir out
+  code=0
+  bash -c "$3" >stdout 2>err </dev/null || code=$?
+  checks+=1
+  [[ $code == "$1" ]] || fail "$3: exit code $code, not $1: $(cat err)"
+  grep -qE "$2" err || fail "$3: stderr is: $(cat err)"
+  [[ $(wc -l <err) -le 1 ]] || fail "$3: not one line: $(cat err)"
+  ! grep -qwiE 'nan|inf' stdout || fail "$3: not a number on stdout"
+}
+ends 1 '^calibrate: bad.csv:3: en = 2: must be in' 'calibrate --targets bad.csv'
+ends 1 'gate failed: lammps is installed' "PATH=/none $bin/verify engines --require lammps"
+ends 2 '^calibrate: --en = 2: must be in' 'calibrate --tcol 1e-4 --en 2'
+ends 2 '^calibrate: none.csv: cannot be read' 'calibrate --targets none.csv'
+ends 2 '^calibrate: none.csv: cannot be read' 'calibrate --fit none.csv'
+ends 2 '^verify: ' 'verify nothing'
+ends 2 '^verify: --format = xml: must be' 'verify tcol --format xml'
+ends 2 '^simulate: none.json: cannot be read' 'simulate none.json -o out/x'
+ends 2 '^simulate: ' 'simulate source/data/scenes/bounce.json'
+ends 2 '^simulate: out/x/state.json: cannot read' 'simulate source/data/scenes/bounce.json -o out/x --resume'
+ends 3 '^calibrate: --law fractional --end overlap: en = 0.001: must be in' 'calibrate --tcol 1e-4 --en 0.001 --law fractional --end overlap'
+ends 4 'gnuplot: not found' "PATH=/none $bin/verify figures --figures out"
+ends 4 'gnuplot: not found' "PATH=/none $bin/calibrate --tcol 1e-4 --en 0.5 --report out/page.html"
 
 echo "$checks endings looked at"
 ((failures == 0)) || { echo "endings.sh: $failures failures" >&2; exit 1; }

@@ -2,6 +2,8 @@
 
 #include <console/exit.hpp>
 #include <console/output.hpp>
+#include <console/scratch.hpp>
+#include <console/signals.hpp>
 
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -111,4 +113,72 @@ TEST_CASE("a signal removes the temporary file and still kills") {
     CHECK(WTERMSIG(status) == signal);
     CHECK(folder.count() == 0);
   }
+}
+
+TEST_CASE("the files of a folder appear together") {
+  const TemporaryFolder folder;
+  write_atomically(folder / "a.txt", "old");
+  ::chmod((folder / "a.txt").c_str(), 0640);
+  {
+    OutputFolder output(folder.path());
+    output.add("a.txt", "first");
+    output.add("a.txt", "new");
+    output.add("b.txt", "new");
+    CHECK(read_file(folder / "a.txt") == "old");
+    CHECK_FALSE(std::filesystem::exists(folder / "b.txt"));
+    output.commit();
+  }
+  CHECK(read_file(folder / "a.txt") == "new");
+  CHECK(read_file(folder / "b.txt") == "new");
+  CHECK((std::filesystem::status(folder / "a.txt").permissions() & std::filesystem::perms::all) ==
+        std::filesystem::perms(0640));
+  CHECK(folder.count() == 2);
+}
+
+TEST_CASE("a folder's files that are not put in their places leave nothing") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "taken");
+  {
+    OutputFolder output(folder.path());
+    output.add("a.txt", "half");
+    CHECK_THROWS_WITH(output.add("taken", "x"), (folder / "taken") + ": cannot write: Is a directory");
+  }
+  { OutputFolder made(folder / "made"); }
+  CHECK(folder.count() == 1);
+  CHECK_THROWS_AS(OutputFolder("/dev/null/x"), BadInput);
+}
+
+TEST_CASE("a signal removes folders that pass, with what is in them") {
+  const TemporaryFolder folder;
+  const int status = in_child([&] {
+    const OutputFolder output(folder.path());
+    const ScratchFolder scratch(folder.path());
+    for (int i = 0; i < 300; ++i) scratch.write("a-rather-long-name-for-a-file-" + std::to_string(i), "x");
+    ::raise(SIGTERM);
+  });
+  CHECK(WTERMSIG(status) == SIGTERM);
+  CHECK(folder.count() == 0);
+}
+
+TEST_CASE("a signal that is noted ends nothing, the second one everything, ignored ones stay ignored") {
+  const int noted = in_child([] {
+    std::signal(SIGHUP, SIG_IGN);
+    const StopOnSignal signals;
+    ::raise(SIGHUP);
+    if (StopOnSignal::noted() != 0) ::_exit(1);
+    ::raise(SIGTERM);
+    ::_exit(StopOnSignal::noted());
+  });
+  CHECK(WEXITSTATUS(noted) == SIGTERM);
+  const TemporaryFolder folder;
+  const int twice = in_child([&] {
+    const StopOnSignal signals;
+    const AtomicFile file(folder / "a.txt");
+    ::raise(SIGTERM);
+    ::raise(SIGINT);
+  });
+  CHECK(WIFSIGNALED(twice));
+  CHECK(WTERMSIG(twice) == SIGINT);
+  CHECK(folder.count() == 0);
+  CHECK(WTERMSIG(in_child([] { end_by(SIGHUP); })) == SIGHUP);
 }

@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <locale>
 #include <numbers>
 #include <sstream>
 #include <utility>
@@ -94,6 +95,7 @@ std::string liggghts_run(const Encounter& pair, double step, const std::string& 
 Trajectory read_dump(const std::string& text, const Encounter& pair, double step) {
   Trajectory trajectory;
   std::istringstream lines(text);
+  lines.imbue(std::locale::classic());
   long number = 0;
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("ITEM: TIMESTEP")) lines >> number;
@@ -136,6 +138,7 @@ std::string yade_script(const Encounter& pair, const std::vector<double>& steps)
 Trajectory read_columns(const std::string& text) {
   Trajectory trajectory;
   std::istringstream lines(text);
+  lines.imbue(std::locale::classic());
   for (Instant at; lines >> at.time >> at.overlap >> at.rate >> at.force;) trajectory.push_back(at);
   return trajectory;
 }

@@ -88,7 +88,7 @@ class Orders : public Study {
     const auto off = std::count_if(all.begin(), all.end(), [](const Convergence& c) { return !c.pass(); });
     result.verdict = std::to_string(all.size() - static_cast<std::size_t>(off)) + " of " + std::to_string(all.size()) +
                      " measurements confirm the derived order; (59) reaches at most " +
-                     std::to_string(paper).substr(0, 4) + ", the order of a rectangle rule.";
+                     console::fixed(paper, 2) + ", the order of a rectangle rule.";
     return result;
   }
 };
