@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # endings.sh BIN SOURCE: however a program ends, each of its files is the old one or the new one, whole, nothing
-# temporary is left, and the exit code and one line on stderr say what happened. INSTANTS (default 12) signals a
+# temporary is left, and the exit code and one line on stderr say what happened. INSTANTS (default 9) signals a
 # command, spread over its run; more find rarer moments.
 set -euo pipefail
-bin=$(realpath "$1") source=$(realpath "$2") instants=${INSTANTS:-12}
+bin=$(realpath "$1") source=$(realpath "$2") instants=${INSTANTS:-9}
 folder=$(mktemp -d)
 chmod 755 "$folder"
 trap 'umount "$folder/small" 2>/dev/null || true; rm -rf "$folder"' EXIT

@@ -64,17 +64,20 @@ extern "C" void note_or_die(int signal) {
   noted_signal = signal;
 }
 
+void handle(int signal, void (*handler)(int)) noexcept {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_mask = deadly_set();
+  action.sa_flags = SA_RESTART;
+  ::sigaction(signal, &action, nullptr);
+}
+
 // Only signals that would kill the program are caught: one that is noted (StopOnSignal) or ignored (nohup) stays as is.
-void catch_deadly(void (*handler)(int), void (*instead_of)(int)) noexcept {
+void catch_deadly() noexcept {
   for (const int signal : deadly_signals) {
     struct sigaction now = {};
     ::sigaction(signal, nullptr, &now);
-    if (now.sa_handler != instead_of) continue;
-    struct sigaction ours = {};
-    ours.sa_handler = handler;
-    ours.sa_mask = deadly_set();
-    ours.sa_flags = SA_RESTART;
-    ::sigaction(signal, &ours, nullptr);
+    if (now.sa_handler == SIG_DFL) handle(signal, clean_up_and_die);
   }
 }
 
@@ -104,7 +107,7 @@ void remove_folder(const char* path) noexcept {
 }
 
 Passing::Passing(Kind kind, const std::string& path) {
-  catch_deadly(clean_up_and_die, SIG_DFL);
+  catch_deadly();
   for (std::size_t i = 0; i < passing.size() && path.size() < PATH_MAX; ++i) {
     bool expected = false;
     Slot& slot = passing[i];
@@ -136,7 +139,7 @@ void Passing::forget() noexcept {
 }
 
 void set_passing_child(pid_t group) noexcept {
-  catch_deadly(clean_up_and_die, SIG_DFL);
+  catch_deadly();
   passing_child.store(group);
 }
 
@@ -149,11 +152,15 @@ SignalsHeld::~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 
 StopOnSignal::StopOnSignal() {
   noted_signal = 0;
-  catch_deadly(note_or_die, SIG_DFL);
-  catch_deadly(note_or_die, clean_up_and_die);
+  for (std::size_t i = 0; i < deadly_signals.size(); ++i) {
+    ::sigaction(deadly_signals[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler != SIG_IGN) handle(deadly_signals[i], note_or_die);
+  }
 }
 
-StopOnSignal::~StopOnSignal() { catch_deadly(clean_up_and_die, note_or_die); }
+StopOnSignal::~StopOnSignal() {
+  for (std::size_t i = 0; i < deadly_signals.size(); ++i) ::sigaction(deadly_signals[i], &before_[i], nullptr);
+}
 
 int StopOnSignal::noted() noexcept { return noted_signal; }
 

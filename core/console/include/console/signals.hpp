@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <csignal>
+
 namespace ricochet::console {
 
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP is only noted, for work that can be stopped at a good place and
@@ -13,6 +16,9 @@ class StopOnSignal {
 
   /// The signal that was noted, or 0.
   static int noted() noexcept;
+
+ private:
+  std::array<struct sigaction, 3> before_;
 };
 
 /// Ends the program as the signal would, uncaught: shells report 128 + signal, and scripts stop at Ctrl-C.
