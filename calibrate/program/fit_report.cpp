@@ -7,6 +7,7 @@
 #include <console/number.hpp>
 #include <console/output.hpp>
 #include <console/plot.hpp>
+#include <console/signals.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -231,6 +232,7 @@ console::Exit run_fit(const Options& options) {
   if (!options.figures.empty()) console::draw(figure_of(report.fits, report.data), figures.emplace(options.figures));
   console::Output output(options.output.file);
   output.write(rendered(report, options.output.format));
+  const console::SignalsHeld held;
   if (figures) figures->commit();
   output.commit();
   return console::Exit::done;

@@ -4,6 +4,7 @@
 
 #include <console/exit.hpp>
 #include <console/output.hpp>
+#include <console/signals.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -33,6 +34,7 @@ console::Exit work(Options& options) {
   console::Output output(options.output.file);
   output.write(options.engine.empty() ? render(report, options.output.format)
                                       : exported(report, options.engine, options.output.format));
+  const console::SignalsHeld held;
   if (page) page->commit();
   output.commit();
   // Other laws that did reach the target answer the question; only a lone law that cannot is an error.

@@ -5,6 +5,7 @@
 #include <console/output.hpp>
 #include <console/program.hpp>
 #include <console/progress.hpp>
+#include <console/signals.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -61,6 +62,7 @@ Exit run_one(Study& study, const Options& options) {
   const StudyResult result = study.run(options.run);
   if (folder) write_study(study, result, *folder);
   output.write(shown(study, result, options.output.format));
+  const console::SignalsHeld held;
   if (folder) folder->commit();
   output.commit();
   return judged(study, result);
@@ -123,6 +125,7 @@ Exit run_all(const Studies& studies, const Options& options) {
     folder->add("index.html", report_page(outcomes, made_by));
   }
   output.write(shown_all(outcomes, options.output.format));
+  const console::SignalsHeld held;
   if (folder) folder->commit();
   output.commit();
   return worst;

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <console/signals.hpp>
+
 #include <sys/types.h>
 
-#include <csignal>
 #include <string>
 
 namespace ricochet::console {
@@ -30,19 +31,5 @@ class Passing {
 
 /// The process group that a deadly signal kills as well; 0: none.
 void set_passing_child(pid_t group) noexcept;
-
-/// Holds SIGINT, SIGTERM and SIGHUP back until the end of the scope.
-class SignalsHeld {
- public:
-  SignalsHeld() noexcept;
-  ~SignalsHeld();
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-  /// What was held back before.
-  const sigset_t& before() const { return before_; }
-
- private:
-  sigset_t before_;
-};
 
 }  // namespace ricochet::console

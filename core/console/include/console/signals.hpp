@@ -21,6 +21,20 @@ class StopOnSignal {
   std::array<struct sigaction, 3> before_;
 };
 
+/// Holds SIGINT, SIGTERM and SIGHUP back until the end of the scope: for files that are put in their places together.
+class SignalsHeld {
+ public:
+  SignalsHeld() noexcept;
+  ~SignalsHeld();
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  /// What was held back before.
+  const sigset_t& before() const { return before_; }
+
+ private:
+  sigset_t before_;
+};
+
 /// Ends the program as the signal would, uncaught: shells report 128 + signal, and scripts stop at Ctrl-C.
 [[noreturn]] void end_by(int signal) noexcept;
 
