@@ -92,8 +92,64 @@ void a_kernel(Arguments& in) {
   }
 }
 
+AnyLaw a_law(Arguments& in, std::uint8_t which) {
+  const double p = in.number(), q = in.number();
+  switch (which % 5) {
+    case 0: return Linear(p, q);
+    case 1: return KuwabaraKono(p, q);
+    case 2: return Tsuji(p, q);
+    case 3: return Hysteretic(p, q);
+    default: return Fractional(p, q, in.share());
+  }
+}
+
+/// At most three beads for at most 2000 steps, and a kernel of few arms: only a hang takes long.
+void a_column(Arguments& in) {
+  const std::uint8_t how = in.byte();
+  Column column;
+  for (int bead = 0; bead <= how % 3; ++bead) {
+    column.mass.push_back(in.number());
+    column.gap.push_back(in.share());
+    column.velocity.push_back(in.number());
+  }
+  ColumnOptions options;
+  options.step = in.number();
+  options.duration = 2000 * options.step;
+  options.memory_tolerance = 1e-3;
+  if (how & 64) column.gravity = in.number();
+  if (how & 128) options.reclosing = Reclosing::silent;
+  const std::uint8_t which = in.byte();
+  if (which & 128) options.end = ContactEnd::overlap;
+  const AnyLaw plate = a_law(in, which), pair = a_law(in, which);
+  const ColumnResult r = run_column(column, plate, pair, options);
+  expect_finite({r.time, r.energy_ratio, r.last_contact_time});
+  for (const double v : r.velocity) expect_finite({v});
+  if (r.end == ColumnEnd::broke_down ? !r.velocity.empty() : r.velocity.size() != column.mass.size())
+    throw std::logic_error("a column that lost its beads");
+}
+
+/// Two spheres and a plate for 100 steps.
+void a_cluster(Arguments& in) {
+  const std::uint8_t which = in.byte();
+  ClusterSetup setup;
+  const auto vector = [&] { return Vec3{in.number(), in.number(), in.number()}; };
+  for (int k = 0; k < 2; ++k)
+    setup.spheres.push_back({in.share(), in.number(), {in.share(), in.share(), 2.0 * k + in.share()}, vector(), vector(), 0});
+  if (which & 128) setup.walls.push_back({vector(), vector(), 0});
+  const double step = in.number(), mu = in.share();
+  setup.interactions.insert({{0, 0}, {a_law(in, which), Friction(mu, mu, 0), which & 64 ? ContactEnd::overlap : ContactEnd::force}});
+  setup.gravity = {0, 0, in.share()};
+  Cluster cluster(setup, {.step = step, .longest_contact = 100 * step, .kernel_tolerance = 1e-3});
+  if (!cluster.advance(100)) return;
+  for (std::size_t i = 0; i < cluster.size(); ++i) {
+    const Vec3 v = cluster.velocity(i), w = cluster.spin(i);
+    expect_finite({v.x, v.y, v.z, w.x, w.y, w.z});
+  }
+  expect_finite({stiffest_contact(setup).tcol});
+}
+
 void run(Arguments& in) {
-  switch (in.byte() % 6) {
+  switch (in.byte() % 8) {
     case 0: return expect_finite({mittag_leffler(in.number(), in.number(), in.number())});
     case 1: return expect_finite({MittagLeffler(in.number(), in.number())(in.number())});
     case 2: {
@@ -103,6 +159,8 @@ void run(Arguments& in) {
     }
     case 3: return a_collision(in);
     case 4: return a_calibration(in);
+    case 6: return a_column(in);
+    case 7: return a_cluster(in);
     default: return a_kernel(in);
   }
 }

@@ -130,14 +130,18 @@ TEST_CASE("Touching linear beads keep the energy of an independent integration",
     const double ratio = energy_ratio(c.beads, 0, law, options(400, ContactEnd::overlap));
     CHECK(ratio == Approx(c.known).margin(1e-4));
     if (c.beads <= 10) {
+      // Of second order, the engine's error at 400 steps is a third of what it changes from 200 to 400; a whole change
+      // leaves room for the scatter of events. Runge-Kutta errs by (π/200)⁴/120 = 5e-10 a contact, a hundredth of 1e-7.
       const double second = LinearColumnByRungeKutta(c.beads, 0.9).energy_ratio(tcol / 200);
-      CHECK(ratio == Approx(second).margin(5e-6));
+      const double coarse = energy_ratio(c.beads, 0, law, options(200, ContactEnd::overlap));
+      CHECK(ratio == Approx(second).margin(std::abs(ratio - coarse) + 1e-7));
     }
   }
 }
 
 TEST_CASE("Wide gaps make the event-driven column", "[column]") {
-  // Each collision's e_n is second order: relative 1e-6 at 400 steps. A bead meets nc collisions, its energy e_n².
+  // A collision's e_n errs by ε, taken as the worst of one bead touching the plate at ten places of a step. It moves a
+  // bead's energy by 2ε, and a bead meets 2nc collisions at most.
   for (const int beads : {1, 2, 3, 7, 12}) {
     const Column column = equal_column(beads, mass, 1.0, velocity);
     const EventDrivenResult hard = event_driven_column(column, 0.9);
@@ -145,10 +149,15 @@ TEST_CASE("Wide gaps make the event-driven column", "[column]") {
     const auto check = [&](const AnyLaw& plate, const AnyLaw& pair, ContactEnd end) {
       ColumnOptions o = options(400, end);
       o.duration = 1e5;
+      double worst = 0;
+      for (int place = 0; place < 10; ++place) {
+        const Column one = equal_column(1, mass, 1e-6 - 0.1 * place * velocity * o.step, velocity);
+        worst = std::max(worst, std::abs(run_column(one, plate, pair, o).velocity[0] / (-0.9 * velocity) - 1));
+      }
       const ColumnResult soft = run_column(column, plate, pair, o);
       CHECK(soft.end != ColumnEnd::out_of_time);
       CHECK(soft.contacts == hard.collisions);
-      CHECK(soft.energy_ratio == Approx(hard.energy_ratio).epsilon(4e-6 * beads));
+      CHECK(soft.energy_ratio == Approx(hard.energy_ratio).epsilon(4 * worst * beads));
     };
     check(linear(mass, 0.9), linear(mass / 2, 0.9), ContactEnd::overlap);
     check(hysteretic(mass, 0.9), hysteretic(mass / 2, 0.9), ContactEnd::force);
@@ -218,9 +227,12 @@ TEST_CASE("One bead rebounds with the restitution of its conversion degree", "[c
 }
 
 TEST_CASE("Energy closes to the scheme's order and never grows", "[column]") {
-  // In units of E0: the balance closes within 3 (h/t_col)², the mechanical part grows by at most the cube's order.
+  // In units of E0, which passes through each of six contacts once: the trapezoid under the quarter wave of a force errs by
+  // (πh/t_col)²/12 of the energy, a single step by h/t_col times π of that.
+  constexpr double pi = std::numbers::pi, passes = 6;
   const auto check = [](auto law, ContactEnd end) {
     using Law = decltype(law(mass));
+    double coarsest = 0, finest = 0;
     for (const int steps : {100, 200, 400}) {
       ColumnOptions o = options(steps, end);
       o.energy = true;
@@ -236,10 +248,13 @@ TEST_CASE("Energy closes to the scheme's order and never grows", "[column]") {
       }
       CAPTURE(Law::name, steps);
       CHECK(engine.finished());
-      CHECK(gap < 3.0 / (steps * steps));
-      CHECK(growth < 1.0 / (double(steps) * steps * steps));
+      const double x = pi / steps;
+      CHECK(gap < passes * x * x / 12);
+      CHECK(growth < passes * x * x * x / 12);
       CHECK(engine.energy().dissipated > 0);
+      (steps == 100 ? coarsest : finest) = gap;
     }
+    CHECK(finest < coarsest / 8);  // second order would be a sixteenth; which step an event falls in scatters it
   };
   check([](double m) { return linear(m, 0.9); }, ContactEnd::overlap);
   check([](double m) { return linear(m, 0.9); }, ContactEnd::force);
