@@ -1,5 +1,7 @@
 #include "node.hpp"
 
+#include "place.hpp"
+
 #include <console/exit.hpp>
 
 #include <algorithm>
@@ -13,14 +15,24 @@ namespace ricochet::simulate {
 using console::BadInput;
 using console::Json;
 
+std::string Node::place() const {
+  return file_ + ":" + line_and_column(*text_, place_of(*text_, path_)) + ": " + (path_.empty() ? "/" : path_);
+}
+
+Node Node::child(const std::string& step, const Json& json) const {
+  Node child(file_, *text_, json);
+  child.path_ = path_ + "/" + step;
+  return child;
+}
+
 void Node::reject(std::string_view accepted) const {
   std::string shown = json_->dump();
   if (shown.size() > 60) shown = shown.substr(0, 57) + "...";
-  throw BadInput(file_ + ": " + (path_.empty() ? "/" : path_) + " = " + shown + ": must be " + std::string(accepted));
+  throw BadInput(place() + " = " + shown + ": must be " + std::string(accepted));
 }
 
 void Node::complain(std::string_view message) const {
-  throw BadInput(file_ + ": " + (path_.empty() ? "/" : path_) + ": " + std::string(message));
+  throw BadInput(place() + ": " + std::string(message));
 }
 
 void Node::allow(std::initializer_list<std::string_view> keys) const {
@@ -34,16 +46,10 @@ void Node::allow(std::initializer_list<std::string_view> keys) const {
 
 Node Node::at(const std::string& key) const {
   if (!has(key)) complain("\"" + key + "\" is missing; it must be given");
-  Node child(file_, json_->at(key));
-  child.path_ = path_ + "/" + key;
-  return child;
+  return child(key, json_->at(key));
 }
 
-Node Node::at(std::size_t index) const {
-  Node child(file_, json_->at(index));
-  child.path_ = path_ + "/" + std::to_string(index);
-  return child;
-}
+Node Node::at(std::size_t index) const { return child(std::to_string(index), json_->at(index)); }
 
 std::size_t Node::size() const {
   if (!json_->is_array()) reject("an array");
@@ -85,15 +91,6 @@ Vec3 Node::vector() const {
 
 namespace {
 
-// Where in the text byte number `byte` (from 1) is.
-std::string place(const std::string& text, std::size_t byte) {
-  const std::size_t end = std::min(byte > 0 ? byte - 1 : 0, text.size());
-  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-  const std::size_t start = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
-  const std::size_t column = start == std::string::npos ? end + 1 : end - start;
-  return std::to_string(line) + ":" + std::to_string(column);
-}
-
 // JSON lets a key come twice and readers keep the last: in a scene that is a mistake. The callback sees every key
 // together with its depth.
 class KeysOnce {
@@ -120,12 +117,12 @@ Json parse(const std::string& file, const std::string& text) {
   try {
     json = Json::parse(text, std::ref(keys));
   } catch (const Json::parse_error& error) {
-    throw BadInput(file + ":" + place(text, error.byte) + ": no JSON: must be one object as docs/scenes.md describes");
+    throw BadInput(file + ":" + line_and_column(text, error.byte > 0 ? error.byte - 1 : 0) + ": no JSON: must be one object as docs/scenes.md describes");
   } catch (const Json::out_of_range& error) {  // 406, "number overflow parsing '1e999'"
     const std::string message = error.what();
     const std::size_t first = message.find('\'') + 1, end = message.rfind('\'');
     const std::string number = message.substr(first, end - first);
-    throw BadInput(file + ":" + place(text, text.find(number) + 1) + ": " + number + ": must be at most 1.8e308 in size");
+    throw BadInput(file + ":" + line_and_column(text, text.find(number)) + ": " + number + ": must be at most 1.8e308 in size");
   }
   if (!keys.repeated.empty())
     throw BadInput(file + ": key \"" + keys.repeated + "\" is given twice in one object; it must be given once");

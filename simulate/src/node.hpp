@@ -9,14 +9,16 @@
 
 namespace ricochet::simulate {
 
-/// A value of the scene that knows its place: every complaint names the JSON path.
+/// A value of the scene that knows its place: every complaint names line, column and JSON path.
 class Node {
  public:
-  Node(std::string file, const console::Json& json) : file_(std::move(file)), json_(&json) {}
+  /// `text` is what `json` was parsed from; both outlive the node and its children.
+  Node(std::string file, const std::string& text, const console::Json& json)
+      : file_(std::move(file)), text_(&text), json_(&json) {}
 
-  /// Throws BadInput "file: /path = value: must be <accepted>".
+  /// Throws BadInput "file:line:column: /path = value: must be <accepted>".
   [[noreturn]] void reject(std::string_view accepted) const;
-  /// Throws BadInput "file: /path: <message>".
+  /// Throws BadInput "file:line:column: /path: <message>".
   [[noreturn]] void complain(std::string_view message) const;
 
   /// An object with no key but these.
@@ -33,11 +35,13 @@ class Node {
   std::string one_of(std::initializer_list<std::string_view> accepted) const;
   Vec3 vector() const;  ///< [x, y, z]
   const console::Json& json() const { return *json_; }
-  const std::string& file() const { return file_; }
-  const std::string& path() const { return path_; }
 
  private:
+  Node child(const std::string& step, const console::Json& json) const;
+  std::string place() const;  // "file:line:column: /path"
+
   std::string file_, path_;
+  const std::string* text_;
   const console::Json* json_;
 };
 

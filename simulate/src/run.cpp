@@ -10,6 +10,7 @@
 #include <console/signals.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -29,10 +30,24 @@ std::string read_all(const std::string& path) {
   return text.str();
 }
 
+// Checked before anything is written.
+Cluster prepared(const Scene& scene) {
+  Cluster cluster(scene.setup, scene.options);
+  if (!std::isfinite(cluster.energy().total()))
+    throw console::Failed("t = 0: the energy of the spheres is no longer a number; slower or lighter ones are needed");
+  const double error = cluster.kernel_error();
+  if (error > scene.options.kernel_tolerance)
+    console::complain("simulate", "the memory of fractional contacts of up to " +
+                                      console::significant(scene.options.longest_contact, 3) + " s is kept to " +
+                                      console::significant(error, 2) + " of its kernel, not to " +
+                                      console::significant(scene.options.kernel_tolerance, 2));
+  return cluster;
+}
+
 class Run {
  public:
-  Run(const Scene& scene, const std::string& folder, const std::optional<Checkpoint>& from)
-      : scene_(scene), state_path_(folder + "/state.json"), cluster_(scene.setup, scene.options),
+  Run(const Scene& scene, Cluster cluster, const std::string& folder, const std::optional<Checkpoint>& from)
+      : scene_(scene), state_path_(folder + "/state.json"), cluster_(std::move(cluster)),
         trajectory_(folder + "/trajectory.xyz", from ? from->lengths[0] : 0),
         contacts_(folder + "/contacts.csv", from ? from->lengths[1] : 0),
         energy_(folder + "/energy.csv", from ? from->lengths[2] : 0) {
@@ -42,6 +57,7 @@ class Run {
       contacts_.append(contact_header());
       energy_.append(energy_header());
       output();
+      save(false);  // whatever comes, what is there can be resumed
     }
   }
 
@@ -50,24 +66,34 @@ class Run {
     console::Progress progress("simulate", scene_.steps - cluster_.state().steps);
     auto saved = Clock::now();
     while (cluster_.state().steps < scene_.steps) {
-      if (const int signal = console::StopOnSignal::noted()) return save(false), signal;
+      if (const int signal = console::StopOnSignal::noted()) return save(false), report(), signal;
       step();
       progress.advance();
       if (Clock::now() - saved > std::chrono::seconds(10)) save(false), saved = Clock::now();
     }
     for (const ContactState& c : cluster_.contacts()) contacts_.append(contact_row(scene_, c.record));
     save(true);
+    report();
     return 0;
   }
 
  private:
   void step() {
-    if (!cluster_.advance(1))
+    if (!cluster_.advance(1) || !std::isfinite(cluster_.energy().total()))
       throw console::Failed("t = " + console::significant(cluster_.time(), 6) +
-                            " s: the motion is no longer finite; a smaller \"step\" is needed");
+                            " s: the motion is no longer finite; a smaller \"step\" is needed. All before is written");
     for (const Encounter& e : cluster_.take_finished()) contacts_.append(contact_row(scene_, e));
     const std::uint64_t done = cluster_.state().steps;
     if (done % scene_.output_every == 0 || done == scene_.steps) output();
+  }
+
+  void report() const {
+    const ClusterState& s = cluster_.state();
+    if (s.unconverged == 0) return;
+    console::complain("simulate", std::to_string(s.unconverged) + " of " + std::to_string(s.steps) + " steps ended after " +
+                                      std::to_string(scene_.options.max_sweeps) + " sweeps over the contacts, when impulses still changed by up to " +
+                                      console::significant(s.worst_change, 2) + " of the greatest, not by " +
+                                      console::significant(scene_.options.solver_tolerance, 2) + "; docs/scenes.md says what that means");
   }
 
   void output() {
@@ -97,15 +123,16 @@ int run(const Scene& scene, const std::string& folder, bool resume, const std::f
   if (!resume) {
     if (fs::exists(state, error))
       throw console::BadInput("-o " + folder + ": holds a run already; --resume goes on with it, another folder starts anew");
+    Cluster cluster = prepared(scene);
     fs::create_directories(folder, error);
     if (error) throw console::BadInput("-o " + folder + ": cannot be made: " + error.message());
-    return Run(scene, folder, {}).go(begun);
+    return Run(scene, std::move(cluster), folder, {}).go(begun);
   }
   const Checkpoint from = read_checkpoint(state, read_all(state));
   if (from.fingerprint != scene.fingerprint)
     throw console::BadInput(state + ": of another scene; must be of the one given");
   if (from.complete) return 0;
-  return Run(scene, folder, from).go(begun);
+  return Run(scene, prepared(scene), folder, from).go(begun);
 }
 
 }  // namespace ricochet::simulate

@@ -218,7 +218,7 @@ std::string fingerprint(const std::string& text) {
 
 Scene read_scene(const std::string& file, const std::string& text) {
   const console::Json json = parse(file, text);
-  const Node root(file, json);
+  const Node root(file, text, json);
   root.allow({"schema", "title", "duration", "output_interval", "step", "gravity", "materials", "interactions", "spheres",
               "walls", "boxes", "reclosing"});
   if (root.has("schema")) root.at("schema").one_of({"ricochet/scene/1"});

@@ -96,7 +96,8 @@ std::string write_checkpoint(const Checkpoint& c) {
   const Json j = {{"schema", schema}, {"scene", c.fingerprint}, {"lengths", c.lengths}, {"complete", c.complete},
                   {"steps", s.steps}, {"half_positions", json(s.half_positions)}, {"velocities", json(s.velocities)},
                   {"spins", json(s.spins)}, {"contacts", contacts},
-                  {"work", {s.lost_normal, s.lost_friction, s.long_range_work}}};
+                  {"work", {s.lost_normal, s.lost_friction, s.long_range_work}},
+                  {"solver", {{"unconverged_steps", s.unconverged}, {"largest_change", s.worst_change}}}};
   return j.dump() + "\n";
 }
 
@@ -112,6 +113,8 @@ Checkpoint read_checkpoint(const std::string& file, const std::string& text) {
     for (const Json& one : j.at("contacts")) c.state.contacts.push_back(contact(one));
     c.state.lost_normal = j.at("work").at(0), c.state.lost_friction = j.at("work").at(1);
     c.state.long_range_work = j.at("work").at(2);
+    c.state.unconverged = j.at("solver").at("unconverged_steps");
+    c.state.worst_change = j.at("solver").at("largest_change");
     return c;
   } catch (const Json::exception&) {
     throw console::BadInput(file + ": must be a state that simulate saved; start again without --resume");

@@ -168,3 +168,40 @@ TEST_CASE("an oblique impact tends to the rigid sphere's sliding and sticking re
   CHECK(v_stick == Approx(5.0 / 7 * 0.5).epsilon(1e-3));
   CHECK(w_stick * r == Approx(5.0 / 7 * 0.5).epsilon(1e-3));
 }
+
+TEST_CASE("where friction is redundant, steps that do not settle are counted, and their velocities are good all the same") {
+  // Four spheres in a square tube that squeezes them from four sides: 20 contacts, 60 components of force for 24 degrees of freedom.
+  ClusterSetup setup = with_law(Linear(1e5, 10), Friction(0.1, 0.1, 0, 1));
+  setup.gravity = {1, 0.5, -g};
+  const double squeezed = r * (1 - 5e-5);
+  for (const Wall& wall : box_walls({0, 0, 0}, {2 * squeezed, 2 * squeezed, 1})) setup.walls.push_back(wall);
+  for (int i = 0; i < 4; ++i) setup.spheres.push_back({r, density, {squeezed, squeezed, squeezed * (2 * i + 1)}, {}, {}, 0});
+  const double step = stiffest_contact(setup).tcol / 100;
+  Cluster usual(setup, {.step = step}), patient(setup, {.step = step, .max_sweeps = 2000}), hasty(setup, {.step = step, .max_sweeps = 2});
+  for (Cluster* c : {&usual, &patient, &hasty}) REQUIRE(c->advance(5));
+  CHECK(usual.contacts().size() == 20);
+  CHECK(hasty.state().unconverged == 5);
+  CHECK(hasty.state().worst_change > 1e-6);
+  CHECK(usual.state().unconverged > 0);
+  Cluster resumed(setup, {.step = step});
+  resumed.restore(usual.state());
+  REQUIRE(usual.advance(3));
+  REQUIRE(resumed.advance(3));
+  CHECK(resumed.state().unconverged == usual.state().unconverged);
+  CHECK(resumed.state().worst_change == usual.state().worst_change);
+  REQUIRE(patient.advance(3));
+  double fastest = 0, apart = 0;
+  for (std::size_t i = 0; i < usual.size(); ++i) {
+    fastest = std::max(fastest, norm(patient.velocity(i)));
+    apart = std::max(apart, norm(patient.velocity(i) - usual.velocity(i)));
+    CHECK(usual.velocity(i) == resumed.velocity(i));
+  }
+  // Impulses that still changed by w of the greatest one leave at most a few w of it to a sphere's velocity.
+  const double greatest = [&] {
+    double most = 0;
+    for (const ContactState& c : patient.contacts()) most = std::max(most, c.normal_impulse);
+    return most;
+  }();
+  CHECK(apart < 20 * usual.state().worst_change * greatest / setup.spheres[0].mass());
+  CHECK(apart < 1e-4 * fastest);
+}

@@ -1,9 +1,13 @@
 #include <catch2/catch.hpp>
 #include <console/exit.hpp>
+#include <ricochet/motion/collision.hpp>
 #include <simulate/scene.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
+#include <regex>
 #include <sstream>
 
 using namespace ricochet;
@@ -33,7 +37,7 @@ std::string with(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-std::string complaint(const std::string& text) {
+std::string placed_complaint(const std::string& text) {
   try {
     read_scene("s.json", text);
   } catch (const console::BadInput& error) {
@@ -41,6 +45,14 @@ std::string complaint(const std::string& text) {
     return error.what();
   }
   return "accepted";
+}
+
+// Without line and column where a JSON path follows, which must be there.
+std::string complaint(const std::string& text) {
+  static const std::regex place(R"(^s\.json:\d+:\d+: /)");
+  const std::string message = placed_complaint(text);
+  CHECK(message.rfind("s.json: /", 0) == std::string::npos);
+  return std::regex_replace(message, place, "s.json: /");
 }
 
 }  // namespace
@@ -91,6 +103,57 @@ TEST_CASE("every mistake in a scene is one line that says where, what, and what 
         "s.json: /walls/0/inward = [0,0,0]: must be a direction, not zero");
   CHECK(complaint("[]").rfind("s.json: / = []: must be an object", 0) == 0);
   CHECK(complaint("").rfind("s.json:1:1: no JSON", 0) == 0);
+}
+
+TEST_CASE("a mistake in a scene is told by line and column") {
+  CHECK(placed_complaint(with("\"radius\": 0.01", "\"radius\": -0.01")).rfind("s.json:10:16: /spheres/0/radius = -0.01", 0) == 0);
+  CHECK(placed_complaint(with("\"radius\": 0.01, ", "")).rfind("s.json:10:5: /spheres/0: ", 0) == 0);
+  CHECK(placed_complaint(with("[0, 0, 0.05]", "[0, 0]")).rfind("s.json:11:55: /spheres/1/position", 0) == 0);
+  CHECK(placed_complaint(with("[0, 0, 0.05]", "[0, 0, \"}\\\"]\"]")).rfind("s.json:11:62: /spheres/1/position/2", 0) == 0);
+  CHECK(placed_complaint(with("\"density\": 1000", "\"density\": 0")).rfind("s.json:3:38: /materials/grain/density = 0", 0) == 0);
+  CHECK(placed_complaint("[]").rfind("s.json:1:1: / = []", 0) == 0);
+}
+
+TEST_CASE("the scene that docs/scenes.md shows is a good scene") {
+  std::ifstream in(RICOCHET_SOURCE_DIR "/docs/scenes.md");
+  std::stringstream text;
+  text << in.rdbuf();
+  const std::string page = text.str(), open = "```json\n";
+  const std::size_t first = page.find(open);
+  REQUIRE(first != std::string::npos);
+  const std::size_t begin = first + open.size();
+  const Scene scene = read_scene("docs/scenes.md", page.substr(begin, page.find("```", begin) - begin));
+  CHECK(scene.setup.interactions.size() == 2);
+  CHECK(scene.setup.interactions.at({0, 1}).end == ContactEnd::overlap);
+  CHECK(scene.setup.walls.size() == 1);
+}
+
+TEST_CASE("the default step resolves overdamped contacts as well") {
+  // One sphere on a plate, damping ratio β. With 20 steps in m/c the midpoint rule errs by (1/20)²/12 an e-folding of the
+  // velocity, of which a rebound has 4 ln 2β; as much again for either end. Second order: doubling the steps leaves a quarter.
+  for (const double beta : {0.1, 2.0, 5.0, 20.0, 50.0}) {
+    const double radius = 0.01, mass = 4.0 / 3 * std::numbers::pi * 1e-6 * 1000, k = 1000;
+    const double c = 2 * beta * std::sqrt(mass * k);
+    ClusterSetup setup;
+    setup.spheres.push_back({radius, 1000, {0, 0, radius + 1e-7}, {0, 0, -1}, {}, 0});
+    setup.walls.push_back({{0, 0, 0}, {0, 0, 1}, 1});
+    setup.interactions.insert({{0, 1}, {Linear(k, c)}});
+    const double tcol = stiffest_contact(setup).tcol;
+    const Collision exact = collide(Linear(k, c), {1, mass});
+    CHECK(tcol <= std::numbers::pi * std::sqrt(mass / k) * (1 + 1e-12));
+    CHECK(tcol <= 10 * mass / c * (1 + 1e-12));
+    const auto error_of = [&](double step) {
+      Cluster cluster(setup, {.step = step});
+      while (cluster.contacts().empty() || cluster.contacts()[0].record.end == Encounter::never) cluster.step();
+      const double lasted = cluster.contacts()[0].record.end - cluster.contacts()[0].record.begin;
+      return std::max(std::abs(cluster.velocity(0).z / exact.en - 1), std::abs(lasted / exact.tcol - 1));
+    };
+    const double error = error_of(tcol / 200);
+    CAPTURE(beta, error);
+    const double foldings = std::max(1.0, 4 * std::log(2 * beta));
+    CHECK(error < 3 * foldings / (12 * 20 * 20));
+    CHECK(error_of(tcol / 400) < 0.5 * error);
+  }
 }
 
 TEST_CASE("the scenes of the project are good scenes") {

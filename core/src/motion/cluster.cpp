@@ -1,5 +1,7 @@
 #include <ricochet/motion/cluster.hpp>
 
+#include "affordable_kernel.hpp"
+
 #include <ricochet/detail/require.hpp>
 
 #include <algorithm>
@@ -36,23 +38,25 @@ double skin_of(const ClusterSetup& setup, const ClusterOptions& options) {
   return *std::min_element(radii.begin(), radii.end()) / 3;
 }
 
-// The best kernel that FractionalArms can carry: the tolerance gives way tenfold until its arms suffice.
-MemoryKernel affordable_kernel(double alpha, const ClusterOptions& o) {
+MemoryKernel kernel_for(double alpha, const ClusterOptions& o) {
   const double shortest = 0.5 * o.step, longest = o.longest_contact > 0 ? o.longest_contact : 1e4 * o.step;
-  for (double tolerance = o.kernel_tolerance;; tolerance *= 10) {
-    MemoryKernel kernel = memory_kernel(alpha, shortest, std::max(longest, shortest), tolerance);
-    if (kernel.arms().size() <= FractionalArms::max_arms) return kernel;
-  }
+  require(longest <= 1e6 * shortest, "longest_contact", longest, "at most 5e5 steps with a fractional law");
+  return detail::affordable_kernel(alpha, shortest, std::max(longest, shortest), o.kernel_tolerance);
 }
 
 }  // namespace
 
-Cluster::Model Cluster::prepare_model(const Interaction& interaction) const {
+Cluster::Model Cluster::prepare_model(const Interaction& interaction) {
   const double h = options_.step;
   RunLaw law = std::visit(
       [&]<class Law>(const Law& l) -> RunLaw {
-        if constexpr (std::same_as<Law, Fractional>) return FractionalArms(l, affordable_kernel(l.alpha(), options_), h);
-        else return l;
+        if constexpr (std::same_as<Law, Fractional>) {
+          const MemoryKernel kernel = kernel_for(l.alpha(), options_);
+          kernel_error_ = std::max(kernel_error_, kernel.error());
+          return FractionalArms(l, kernel, h);
+        } else {
+          return l;
+        }
       },
       interaction.law);
   double gain = 0;
@@ -69,6 +73,8 @@ Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)
       neighbours_(radii_, skin_of(setup, options)) {
   detail::require_positive("step", options.step);
   detail::require_not_negative("longest_contact", options.longest_contact);
+  const double tolerance = options.kernel_tolerance;
+  require(tolerance >= 1e-12 && tolerance <= 0.1, "kernel_tolerance", tolerance, "in [1e-12, 0.1]");
   detail::require_positive("solver_tolerance", options.solver_tolerance);
   require(options.max_sweeps >= 1, "max_sweeps", options.max_sweeps, "at least 1");
   for (const Sphere& s : setup.spheres) {

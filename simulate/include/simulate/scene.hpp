@@ -20,7 +20,7 @@ struct Scene {
 };
 
 /// Reads the text of a scene. `file` only names it in messages. Throws console::BadInput with one line
-/// "file:line:column: …" for a syntax error or a repeated key, else "file: /path/to/value = …: must be …", for every
+/// "file:line:column: …" for a syntax error, else "file:line:column: /path/to/value = …: must be …", for a repeated key, every
 /// unknown key, wrong type, number out of range, missing pair of materials, overlap at the start, and a step too large
 /// for the stiffest contact.
 Scene read_scene(const std::string& file, const std::string& text);

@@ -13,11 +13,16 @@ namespace ricochet {
 struct ClusterOptions {
   double step = 0;               ///< Δt [s], > 0
   double skin = 0;               ///< of the neighbour list [m]; 0: a third of the smallest radius
-  double longest_contact = 0;    ///< [s] for the memory kernels of fractional laws; 0: 10⁴ steps
+  /// T of the memory kernels of fractional laws [s], at most 5·10⁵ steps with one; 0: 10⁴ steps. In a contact that lasts longer, what
+  /// is older than T ceases to fade: the kernel is off by at most 5 % at 2T, then levels off at 0.4 (α → 1) to 0.96
+  /// (α = 0.03) of its value at T.
+  double longest_contact = 0;
+  /// Relative error of these kernels, in [1e-12, 0.1]. Wanted, not promised: a contact carries FractionalArms::max_arms arms, and
+  /// where they do not suffice for T the tolerance gives way tenfold until they do. `Cluster::kernel_error` tells.
   double kernel_tolerance = 1e-8;
   Reclosing reclosing = Reclosing::repels;
   double solver_tolerance = 1e-10;  ///< on impulses, relative to the greatest of the step; 1e-6 serves in packings
-  int max_sweeps = 50;              ///< over all contacts, a step
+  int max_sweeps = 100;             ///< over all contacts, a step
 };
 
 /// The energies of a cluster [J]. `total` is constant up to the scheme's error; `lost_*` are what dashpots, clamped
@@ -35,6 +40,8 @@ struct ClusterState {
   std::vector<Vec3> half_positions, velocities, spins;
   std::vector<ContactState> contacts;
   double lost_normal = 0, lost_friction = 0, long_range_work = 0;
+  std::uint64_t unconverged = 0;  ///< steps that ended at max_sweeps
+  double worst_change = 0;        ///< of their last sweeps' greatest changes, relative to the greatest impulse of the step
 };
 
 /// Spheres and walls in motion: any normal law for each pair of materials, friction with torsion and rolling
@@ -77,6 +84,8 @@ class Cluster {
 
   int last_sweeps() const noexcept { return sweeps_; }  ///< that the last step took
   bool last_converged() const noexcept { return converged_; }
+  /// Greatest relative error of the fractional laws' kernels up to longest_contact; 0 without such laws.
+  double kernel_error() const noexcept { return kernel_error_; }
   std::size_t rebuilds() const noexcept { return rebuilds_; }  ///< of the neighbour list
 
   const ClusterState& state() const noexcept { return state_; }
@@ -94,6 +103,10 @@ class Cluster {
   struct PlaneWall {
     Vec3 point, inward;
   };
+  struct Pulse {  // all that a contact passes
+    double normal = 0;
+    FrictionImpulse friction;
+  };
   // A contact during a step; the solver sees nothing else.
   struct Row {
     ContactGeometry geometry;
@@ -107,9 +120,10 @@ class Cluster {
     Vec3 turning;
     double impulse = 0;
     FrictionSolution friction;
+    Pulse before_sweep, direction;
   };
 
-  Model prepare_model(const Interaction& interaction) const;
+  Model prepare_model(const Interaction& interaction);
   std::uint32_t model_of(std::uint32_t i, std::uint32_t j) const noexcept;
   ContactGeometry geometry(std::uint32_t i, std::uint32_t j) const noexcept;
   Vec3 relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept;
@@ -129,6 +143,7 @@ class Cluster {
   void apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept;
   double normal_impulse(const ContactState& contact, const Row& row, double rate_free) const noexcept;
   double relax(ContactState& contact, Row& row) noexcept;
+  double accelerate(double last, bool restart) noexcept;
   void solve();
   void conclude();
   void conclude_normal(ContactState& contact, const Row& row, double rate_after);
@@ -155,6 +170,7 @@ class Cluster {
   std::size_t rebuilds_ = 0;
   int sweeps_ = 0;
   bool converged_ = true;
+  double kernel_error_ = 0;
 };
 
 }  // namespace ricochet
