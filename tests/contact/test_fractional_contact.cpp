@@ -67,6 +67,33 @@ TEST_CASE("contacts end by overlap up to the limit where its minimum touches zer
                     "alpha = 0.41: must be in [0, 0.400884...) for a contact that ends by overlap");
 }
 
+TEST_CASE("up to the last alpha below 1 the contact is right, as far as 2 - alpha tells it from 1") {
+  // 20 digits of z* and e_n at alpha = 1 - 2^-k, from the series in 110-digit arithmetic.
+  struct Row {
+    int k;
+    double z_star, en;
+  };
+  for (const Row& row : {Row{5, 6.5375119116453007951, 0.0059482419504787765393},
+                         Row{10, 11.291628255499282605, 9.6072876614502215081e-5},
+                         Row{20, 19.571220936241860747, 5.1522652143996575239e-8},
+                         Row{30, 27.240555802856868995, 3.5548036764286897424e-11},
+                         Row{40, 34.694091426346644725, 2.7018115303234938862e-14},
+                         Row{50, 42.032711631283158155, 2.165917954861328735e-17}}) {
+    CAPTURE(row.k);
+    const FractionalContact c = fractional_contact(1 - std::ldexp(1.0, -row.k));  // 2 - alpha is exact
+    CHECK(agree(c.z_star, row.z_star, 1e-12));
+    CHECK(agree(c.en, row.en, 1e-12));
+  }
+  CHECK_THROWS_WITH(fractional_contact(1 - 1.2e-16), Catch::StartsWith("alpha = 0.9999999999999999: must be in [0, 1)"));
+}
+
+TEST_CASE("a spring keeps the whole velocity, and nothing keeps more") {
+  for (const ContactEnd end : {ContactEnd::force, ContactEnd::overlap}) {
+    CHECK(fractional_contact(0, end).en == 1);
+    for (const double alpha : {1e-300, 1e-20, 1e-16, 1e-15, 1e-10}) CHECK(fractional_contact(alpha, end).en <= 1);
+  }
+}
+
 TEST_CASE("the conversion degree inverts the restitution") {
   for (const ContactEnd end : {ContactEnd::force, ContactEnd::overlap})
     for (double en : {1.0, 0.999999, 0.945, 0.5, 0.1, 0.01, 0.006}) {

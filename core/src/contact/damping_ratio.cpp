@@ -50,7 +50,7 @@ double restitution_of_damping(double beta, ContactEnd end) {
 
 double damping_of_restitution(double en, ContactEnd end) {
   detail::require(en > 0 && en <= 1, "en", en, "in (0, 1]");
-  const double loss = -std::log(en);
+  const double loss = 0 - std::log(en);  // not −0
   return end == ContactEnd::force ? force_ended_damping(loss) : loss / std::hypot(pi, loss);
 }
 

@@ -4,6 +4,7 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -29,6 +30,14 @@ std::optional<double> first_zero(const F& f, double from, double to) {
     f_left = f_right;
   }
   return std::nullopt;
+}
+
+constexpr double shortest = 10.5;  // of the intervals in y that the end is looked for on
+
+/// The Chebyshev coefficients of e^{−y} on [0, horizon] fall off past a degree of some horizon, the more slowly the
+/// longer it is.
+int nodes_on(double horizon, int nodes) {
+  return std::min(120, static_cast<int>(std::ceil(nodes * std::max(1.0, 0.625 * horizon / shortest))));
 }
 
 struct Events {
@@ -79,14 +88,15 @@ FractionalSolution collocate_collision(double alpha, int nodes, ContactEnd end) 
   detail::require(alpha >= -1 && alpha < 2, "alpha", alpha, "in [-1, 2)");
   FractionalSolution solution;
   // 10.5 holds the end of every collision by force with 0 ≤ α ≤ 0.98; past 70 nothing is left to come.
-  for (double horizon = 10.5; alpha < 1 && horizon < 70; horizon *= 1.6) {
-    const FractionalMotion motion = collocate_motion(alpha, nodes, horizon);
+  for (double horizon = shortest; alpha < 1 && horizon < 70; horizon *= 1.6) {
+    const int taken = nodes_on(horizon, nodes);
+    const FractionalMotion motion = collocate_motion(alpha, taken, horizon);
     const int solves = solution.solves + 1;
     if (const std::optional<Events> at = events(motion, end)) solution = summary(motion, alpha, *at);
+    solution.nodes = taken;
     solution.solves = solves;
     if (solution.separated) break;
   }
-  solution.nodes = nodes;
   return solution;
 }
 

@@ -3,6 +3,7 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ricochet {
@@ -44,7 +45,8 @@ double end_by_overlap(double a, double z_max_overlap) {
 
 void require_degree(double alpha, ContactEnd end) {
   if (end == ContactEnd::force)
-    detail::require(alpha >= 0 && alpha < 1, "alpha", alpha, "in [0, 1) for a contact that ends by force");
+    detail::require(alpha >= 0 && 2 - alpha > 1, "alpha", alpha,
+                    "in [0, 1) for a contact that ends by force, and told from 1 by the rounding of 2 - alpha");
   else
     detail::require(alpha >= 0 && alpha < overlap_limit, "alpha", alpha,
                     "in [0, 0.400884...) for a contact that ends by overlap");
@@ -61,7 +63,7 @@ FractionalContact fractional_contact(double alpha, ContactEnd end) {
   const double z_force = end_by_force(a);
   c.z_star = end == ContactEnd::force ? z_force : end_by_overlap(a, c.z_max_overlap);
   c.tau = std::pow(c.z_star, 1 / a);
-  c.en = -e(a, 1, c.z_star);
+  c.en = alpha > 0 ? std::min(1.0, -e(a, 1, c.z_star)) : 1;
   c.overlap_end = end == ContactEnd::force && alpha > 0 ? e(a, 2, c.z_star) : 0.0;
   c.t_max_overlap = std::pow(c.z_max_overlap / c.z_star, 1 / a);
   c.max_overlap = c.t_max_overlap * e(a, 2, c.z_max_overlap);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ricochet::motion {
 
@@ -26,7 +27,9 @@ struct DampedPower {
     return product;
   }
 
+  State start() const noexcept { return {0, 1, 0}; }
   bool elastic() const noexcept { return gamma == 0; }
+  static double rate(const State& s) noexcept { return s[1]; }
   /// The force without its factor y^Q: has the force's zero, and no other.
   double reduced_force(const State& s) const noexcept { return power(s[0], R) + gamma * s[1]; }
   double force(const State& s) const noexcept { return power(s[0], Q) * reduced_force(s); }
@@ -44,9 +47,49 @@ struct DampedPower {
   }
 };
 
+/// The same motion with the reduced force f = y^R + γ w in the place of w. Where the damping is strong the force ends
+/// when f is some γ^{−2} of either term, so w carries γ² times too few digits of it; w = (f − y^R)/γ from f carries them all.
+template <int P, int Q, int R>
+struct StronglyDampedPower {
+  /// y, f and the scaled time.
+  using State = std::array<double, 3>;
+
+  double gamma;
+
+  explicit StronglyDampedPower(const DampedPower<P, Q, R>& motion) : gamma(motion.gamma) {}
+
+  static constexpr double power(double y, int n) noexcept { return DampedPower<P, Q, R>::power(y, n); }
+  State start() const noexcept { return {0, gamma, 0}; }
+  bool elastic() const noexcept { return false; }
+  double rate(const State& s) const noexcept { return (s[1] - power(s[0], R)) / gamma; }
+  static double reduced_force(const State& s) noexcept { return s[1]; }
+  static double force(const State& s) noexcept { return power(s[0], Q) * s[1]; }
+  static double overlap(const State& s) noexcept { return power(s[0], P); }
+  double reduced_force_slope(const State& s) const noexcept {
+    return R * power(s[0], R - 1) * rate(s) - gamma * P * power(s[0], P - 1 + Q) * s[1];
+  }
+  double force_slope(const State& s) const noexcept {
+    if constexpr (Q == 0) return reduced_force_slope(s);
+    return Q * rate(s) * s[1] + s[0] * reduced_force_slope(s);
+  }
+
+  void operator()(const State& s, State& change, double) const noexcept {
+    change = {rate(s), reduced_force_slope(s), P * power(s[0], P - 1)};
+  }
+};
+
 using LinearMotion = DampedPower<1, 0, 1>;
 using KuwabaraKonoMotion = DampedPower<2, 1, 2>;
 using TsujiMotion = DampedPower<4, 1, 5>;
+
+/// From this γ on the overlap never returns to zero: damping ratio 1 of the linear law and, in ζ^{5/4}, of Tsuji's.
+/// Kuwabara and Kono's, whose damping grows weak as ζ → 0, always lets it return.
+template <class Motion>
+inline constexpr double overdamped_from = std::numeric_limits<double>::infinity();
+template <>
+inline constexpr double overdamped_from<LinearMotion> = 2;
+template <>
+inline constexpr double overdamped_from<TsujiMotion> = 2.23606797749978969641;  // √5
 
 /// T of a damped power law's impact [s].
 template <class Motion>

@@ -38,6 +38,10 @@ Collision closed_form(const Fractional& law, const Impact& impact, ContactEnd en
 Collision follow_fractional(const Fractional& law, const Impact& impact, ContactEnd end) {
   constexpr int nodes = 32;
   const FractionalSolution solved = collocate_collision(law.alpha(), nodes, end);
+  // The polynomials carry the speed to some 1e-15 of v₀, and the square of that of an overlap's end: a rebound slower
+  // than these is not told from none.
+  const double slowest = end == ContactEnd::force ? 1e-12 : 1e-7;
+  if (solved.separated && !(solved.en >= slowest)) return {.status = CollisionStatus::out_of_range};
   if (!solved.separated) return {};
   Collision out;
   out.status = ended_by(end);

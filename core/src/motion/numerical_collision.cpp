@@ -19,8 +19,13 @@ namespace odeint = boost::numeric::odeint;
 // takes some tens of steps.
 constexpr double tolerance = 3e-15;
 constexpr double first_step = 0.05;
-/// Slower than this and still overlapping, under an attractive force: the bodies creep and count as never parting.
+/// Slower than this and still overlapping, under an attractive force: bodies creep under Kuwabara and Kono's law, and
+/// count as never parting. The overlap of the other two returns, or does not, by its damping ratio.
 constexpr double creeping = 1e-13;
+/// A rebound slower than this is not followed: powers of y leave the range of a double.
+constexpr double slowest = 1e-150;
+/// From this γ on the reduced force is followed instead of the velocity.
+constexpr double strong = 2;
 
 /// One-step integration whose steps can be redone at any shorter length: events are located to the method's own order.
 template <class System>
@@ -28,9 +33,8 @@ class Steps {
  public:
   using State = typename System::State;
 
-  Steps(const System& system, const State& start, std::size_t budget)
-      : system_(system), before_(start), after_(start), budget_(budget),
-        length_(first_step / (1 + first_deceleration(system, start))) {}
+  Steps(const System& system, const State& start, std::size_t budget, double first_length)
+      : system_(system), before_(start), after_(start), budget_(budget), length_(first_length) {}
 
   /// One accepted step; false when the budget is spent.
   bool advance() {
@@ -73,18 +77,10 @@ class Steps {
   const State& after() const { return after_; }
   double taken() const { return taken_; }
   std::size_t evaluations() const { return evaluations_; }
-  /// Goes on from a point inside the last step, with a system that has changed there.
-  void resume(const State& state) { after_ = state; }
 
  private:
   static constexpr std::size_t stages = 13;
   using Stepper = odeint::runge_kutta_fehlberg78<State>;
-
-  static double first_deceleration(const System& system, const State& s) {
-    State rate;
-    system(s, rate, 0.0);
-    return std::abs(rate[1]);
-  }
 
   /// The largest component of the error estimate, in tolerances; NaN and infinity count as large.
   static double relative_to_tolerance(const State& error, const State& before, const State& after) {
@@ -105,7 +101,6 @@ class Steps {
 };
 
 double position(const std::array<double, 3>& s) { return s[0]; }
-double velocity(const std::array<double, 3>& s) { return s[1]; }
 
 /// Notes the greatest overlap and force of the last step, if they lie in its first `limit`.
 template <class Motion>
@@ -117,7 +112,7 @@ void note_extremes(Collision& out, const Motion& motion, Steps<Motion>& steps, d
       out.time_max_force = state[2];
     }
   }
-  if (const auto turn = steps.fall(velocity, limit)) {
+  if (const auto turn = steps.fall([&](const auto& s) { return motion.rate(s); }, limit)) {
     const auto state = steps.at(*turn);
     out.max_overlap = motion.overlap(state);
     out.time_max_overlap = state[2];
@@ -130,8 +125,8 @@ void end_at(Collision& out, const Motion& motion, const typename Motion::State& 
   const bool by_force = end == ContactEnd::force;
   out.status = by_force ? CollisionStatus::ended_by_force : CollisionStatus::ended_by_overlap;
   out.tcol = state[2];
-  out.en = -state[1];
-  out.overlap_end = by_force && !motion.elastic() ? Motion::overlap(state) : 0;
+  out.en = -motion.rate(state);
+  out.overlap_end = by_force && !motion.elastic() ? motion.overlap(state) : 0;
 }
 
 /// The end, if the last step holds it. The step is first cut where the overlap returns to zero: the polynomial motion
@@ -145,11 +140,18 @@ std::optional<double> end_in_step(const Motion& motion, Steps<Motion>& steps, Co
   return slack ? slack : apart;
 }
 
-}  // namespace
-
 template <class Motion>
-Collision follow(const Motion& motion, const CollideOptions& options) {
-  Steps<Motion> steps(motion, {0.0, 1.0, 0.0}, options.max_evaluations);
+double first_length(const Motion& motion) {
+  const auto start = motion.start();
+  typename Motion::State change;
+  motion(start, change, 0.0);
+  return first_step / (1 + std::abs(change[1] / start[1]));
+}
+
+/// Follows the motion to its end, or to where it is slower than `least_speed` under an attractive force.
+template <class Motion>
+Collision follow_down_to(double least_speed, const Motion& motion, const CollideOptions& options) {
+  Steps<Motion> steps(motion, motion.start(), options.max_evaluations, first_length(motion));
   Collision out;
   out.max_force = motion.force(steps.after());
   while (steps.advance()) {
@@ -157,11 +159,32 @@ Collision follow(const Motion& motion, const CollideOptions& options) {
     note_extremes(out, motion, steps, end.value_or(steps.taken()));
     if (end) end_at(out, motion, steps.at(*end), options.end);
     out.evaluations = steps.evaluations();
-    const bool creeps = motion.reduced_force(steps.after()) < 0 && std::abs(steps.after()[1]) < creeping;
-    if (end || creeps) return out;
+    const bool slow = motion.reduced_force(steps.after()) < 0 && std::abs(motion.rate(steps.after())) < least_speed;
+    if (end || slow) return out;
   }
   out.status = CollisionStatus::budget_spent;
   out.evaluations = steps.evaluations();
+  return out;
+}
+
+}  // namespace
+
+template <int P, int Q, int R>
+Collision follow(const DampedPower<P, Q, R>& motion, const CollideOptions& options) {
+  using Motion = DampedPower<P, Q, R>;
+  const bool by_overlap = options.end == ContactEnd::overlap;
+  const bool stays = by_overlap && motion.gamma >= overdamped_from<Motion>;
+  const bool returns = by_overlap && !stays && std::isfinite(overdamped_from<Motion>);
+  CollideOptions asked = options;
+  if (stays) asked.end = ContactEnd::force;  // for the extremes
+  const double least_speed = returns ? slowest : creeping;
+  Collision out = motion.gamma > strong ? follow_down_to(least_speed, StronglyDampedPower<P, Q, R>(motion), asked)
+                                        : follow_down_to(least_speed, motion, asked);
+  if (stays && out.separated()) {
+    out.status = CollisionStatus::no_separation;
+    out.tcol = out.en = out.overlap_end = 0;
+  }
+  if (returns && out.status == CollisionStatus::no_separation) out.status = CollisionStatus::out_of_range;
   return out;
 }
 
@@ -171,38 +194,36 @@ template Collision follow(const TsujiMotion&, const CollideOptions&);
 
 namespace {
 
-/// ζ'' = −force of the law as engines run it, its memory fixed while one branch lasts.
-struct HystereticMotion {
+/// ζ'' = −ζ up to the turning point.
+struct Loading {
   using State = std::array<double, 3>;
-
-  bool elastic() const { return law.k1() == law.k2(); }
-  static double overlap(const State& s) { return s[0]; }
-  double force(const State& s) const { return law.force({s[0], s[1]}, memory); }
-  void operator()(const State& s, State& rate, double) const { rate = {s[1], -force(s), 1.0}; }
-
-  Hysteretic law;
-  Hysteretic::Memory memory;
+  static double rate(const State& s) { return s[1]; }
+  void operator()(const State& s, State& change, double) const { change = {s[1], -s[0], 1.0}; }
 };
 
-/// Loads to the turning point, where the memory learns the greatest overlap; false when the budget is spent.
-bool load(HystereticMotion& motion, Steps<HystereticMotion>& steps, Collision& out) {
-  while (steps.advance()) {
-    const auto turn = steps.fall(velocity, steps.taken());
-    if (!turn) continue;
-    const auto state = steps.at(*turn);
-    out.max_overlap = state[0];
-    out.max_force = motion.force(state);
-    out.time_max_overlap = out.time_max_force = state[2];
-    motion.law.advance(motion.memory, {}, {state[0], state[1]}, 0);
-    steps.resume({state[0], 0.0, state[2]});
-    return true;
-  }
-  return false;
+/// ζ'' = −k₂(ζ − ζ₀) from there on, in δ = ζ − ζ₀: of ζ itself only the last k₁/k₂ would be left.
+struct Unloading {
+  using State = std::array<double, 3>;
+  double stiffening, rest;  // k₂/k₁ and ζ₀
+
+  bool elastic() const { return stiffening == 1; }
+  double overlap(const State& s) const { return rest + s[0]; }
+  static double rate(const State& s) { return s[1]; }
+  void operator()(const State& s, State& change, double) const { change = {s[1], -stiffening * s[0], 1.0}; }
+};
+
+using Point = std::optional<Loading::State>;
+
+/// Loads to the turning point; none when the budget is spent.
+Point load(Steps<Loading>& steps) {
+  while (steps.advance())
+    if (const auto turn = steps.fall(Loading::rate, steps.taken())) return steps.at(*turn);
+  return std::nullopt;
 }
 
 /// Unloads to the asked end, or to where the motion turns inwards again about ζ₀; false when the budget is spent.
-bool unload(const HystereticMotion& motion, Steps<HystereticMotion>& steps, ContactEnd end, Collision& out) {
-  const auto value = [&](const auto& s) { return end == ContactEnd::force ? motion.force(s) : s[0]; };
+bool unload(const Unloading& motion, Steps<Unloading>& steps, ContactEnd end, Collision& out) {
+  const auto value = [&](const auto& s) { return end == ContactEnd::force ? s[0] : motion.overlap(s); };
   while (steps.advance()) {
     const auto inwards = steps.fall([](const auto& s) { return -s[1]; }, steps.taken());
     const auto found = steps.fall(value, inwards.value_or(steps.taken()));
@@ -215,11 +236,22 @@ bool unload(const HystereticMotion& motion, Steps<HystereticMotion>& steps, Cont
 }  // namespace
 
 Collision follow_hysteretic(double stiffening, const CollideOptions& options) {
-  HystereticMotion motion{Hysteretic(1, stiffening), {}};
-  Steps<HystereticMotion> steps(motion, {0.0, 1.0, 0.0}, options.max_evaluations);
-  Collision out;
-  if (!load(motion, steps, out) || !unload(motion, steps, options.end, out)) out.status = CollisionStatus::budget_spent;
-  out.evaluations = steps.evaluations();
+  Collision out{.status = CollisionStatus::budget_spent};
+  const Loading loading;
+  Steps<Loading> up(loading, {0.0, 1.0, 0.0}, options.max_evaluations, first_step);
+  const Point turn = load(up);
+  out.evaluations = up.evaluations();
+  if (!turn || out.evaluations >= options.max_evaluations) return out;
+  out.max_overlap = out.max_force = (*turn)[0];
+  out.time_max_overlap = out.time_max_force = (*turn)[2];
+  const double reach = (*turn)[0] / stiffening;
+  const Unloading unloading{stiffening, (*turn)[0] - reach};
+  Steps<Unloading> down(unloading, {reach, 0.0, (*turn)[2]}, options.max_evaluations - out.evaluations,
+                        first_step / std::sqrt(stiffening));
+  if (unload(unloading, down, options.end, out)) {
+    if (!out.separated()) out.status = CollisionStatus::no_separation;
+  }
+  out.evaluations += down.evaluations();
   return out;
 }
 

@@ -7,14 +7,14 @@
 namespace ricochet::motion {
 
 /// Follows the scaled motion from the first touch to the asked end. Scaled result; see `in_units`.
-template <class Motion>
-Collision follow(const Motion& motion, const CollideOptions& options);
+template <int P, int Q, int R>
+Collision follow(const DampedPower<P, Q, R>& motion, const CollideOptions& options);
 
 extern template Collision follow(const LinearMotion&, const CollideOptions&);
 extern template Collision follow(const KuwabaraKonoMotion&, const CollideOptions&);
 extern template Collision follow(const TsujiMotion&, const CollideOptions&);
 
-/// The hysteretic law itself, k₁ = 1 and k₂ = `stiffening`, its memory advanced at the turning point. Scaled result.
+/// The hysteretic law's two branches, k₁ = 1 and k₂ = `stiffening`. Scaled result.
 Collision follow_hysteretic(double stiffening, const CollideOptions& options);
 
 /// The fractional law by collocation of its Volterra equation, without the Mittag-Leffler function. In SI units.

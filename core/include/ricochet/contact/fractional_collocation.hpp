@@ -16,7 +16,7 @@ struct FractionalSolution {
   double max_force = 0;      ///< R at its greatest
   double t_max_force = 0;    ///< and when
   double error_estimate = 0; ///< last Chebyshev coefficients of the rate, relative to e_n
-  int nodes = 0;             ///< collocation nodes
+  int nodes = 0;             ///< collocation nodes of the last system
   int solves = 0;            ///< linear systems of that size: more than one where the first interval was too short
 };
 
