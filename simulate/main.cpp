@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   console::add_version(app);
   std::string file, folder;
   bool resume = false;
+  app.footer("Exit code 0: done; 2: bad input; 4: the computation, or writing its result, failed; 130: interrupted, all written.");
   app.add_option("SCENE", file, "the scene file (JSON)")->required();
   app.add_option("-o,--output", folder, "the folder to write to, made if missing")->required();
   app.add_flag("--resume", resume, "go on with an interrupted run in that folder");

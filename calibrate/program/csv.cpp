@@ -30,7 +30,9 @@ Cell parameter_cell(const AnyLaw& law, const Column& column) {
 }
 
 std::vector<Cell> row_of(const Calibration& r) {
-  std::vector<Cell> row{std::string(name(r.law)), std::string(text(r.end)), std::string("calibrated")};
+  std::string status = "calibrated";
+  for (const auto& remark : r.remarks) status += "; " + remark;
+  std::vector<Cell> row{std::string(name(r.law)), std::string(text(r.end)), status};
   for (const auto& column : parameter_columns()) row.push_back(parameter_cell(r.law, column));
   row.insert(row.end(), {r.achieved.tcol, r.achieved.en, r.tcol_residual, r.en_residual, r.achieved.max_overlap,
                          r.achieved.max_force, r.achieved.overlap_end,
@@ -50,13 +52,15 @@ console::Table csv_of(const Report& report) {
                                  {"method"}, {"algorithm"}, {"cross_check_difference"}});
   console::Table table(columns);
   for (const auto& result : report.results) table.row(row_of(result));
-  for (const auto& missed : report.infeasible) {
+  const auto without_result = [&](LawName law, ContactEnd end, const std::string& status) {
     std::vector<Cell> row(columns.size(), console::blank());
-    row[0] = std::string(text(missed.law));
-    row[1] = std::string(text(missed.end));
-    row[2] = "infeasible: " + explained(missed);
+    row[0] = std::string(text(law));
+    row[1] = std::string(text(end));
+    row[2] = status;
     table.row(row);
-  }
+  };
+  for (const auto& missed : report.infeasible) without_result(missed.law, missed.end, "infeasible: " + explained(missed));
+  for (const auto& failure : report.failed) without_result(failure.law, failure.end, "failed: " + failure.reason);
   return table;
 }
 

@@ -56,6 +56,8 @@ std::string exported(const Report& report, const std::string& name_of_engine, co
   for (const Infeasible& missed : report.infeasible)
     all += "\n" + comment(engine, "Ricochet: the " + std::string(text(missed.law)) + " law ended by " +
                                       std::string(text(missed.end)) + " can't reach the target.");
+  for (const Failure& failure : report.failed)
+    all += "\n" + comment(engine, "Ricochet: failed: " + failure.reason + ".");
   return all;
 }
 

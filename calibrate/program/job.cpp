@@ -20,21 +20,16 @@ constexpr double default_radius_eff = 0.75e-3, default_density = 1000;
 constexpr std::array all_laws{LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic,
                               LawName::fractional};
 
-/// Every scale of every law stays far inside double precision when the options do: the widest, a Hertzian stiffness
-/// m v^{-1/2} t^{-5/2} of a sphere's mass ρr³, spans 10^±270.
-constexpr double widest = 1e50, widest_of_spheres = 1e30;
-
-double positive(const char* flag, double value, double greatest = widest) {
+double positive(const char* flag, double value) {
   if (!(value > 0)) throw BadInput(flag, shortest(value), "> 0");
-  if (value > greatest || value < 1 / greatest)
-    throw BadInput(flag, shortest(value), "in [" + shortest(1 / greatest) + ", " + shortest(greatest) + "]");
+  if (!(value >= least_scale && value <= greatest_scale)) throw BadInput(flag, shortest(value), range_of_scales);
   return value;
 }
 
 /// The positive value of an option that must have been given.
-double needed(const char* flag, const std::optional<double>& value, const char* what, double greatest = widest) {
+double needed(const char* flag, const std::optional<double>& value, const char* what) {
   if (!value) throw BadInput(std::string(flag) + ": missing: must be given, " + what);
-  return positive(flag, *value, greatest);
+  return positive(flag, *value);
 }
 
 void refuse_with(const char* flag, const std::optional<double>& value, bool given, const char* companion) {
@@ -49,12 +44,16 @@ bool speaks_of_spheres(const Options& o) {
   return o.radius || o.density || o.radius2 || o.density2 || o.wall;
 }
 
+double usable_mass(double mass) {
+  if (!(mass >= least_scale && mass <= greatest_scale))
+    throw BadInput("--radius and --density: effective mass", shortest(mass) + " kg", range_of_scales);
+  return mass;
+}
+
 /// m₁m₂/(m₁+m₂), or the sphere's mass against a wall.
 double mass_of_spheres(const Options& o, Job& job) {
-  const double radius = needed("--radius", o.radius, "a radius [m], > 0, with --density, --radius2, --density2 or --wall",
-                               widest_of_spheres);
-  const double density = needed("--density", o.density, "a density [kg/m^3], > 0, with --radius",
-                                widest_of_spheres);
+  const double radius = needed("--radius", o.radius, "a radius [m], > 0, with --density, --radius2, --density2 or --wall");
+  const double density = needed("--density", o.density, "a density [kg/m^3], > 0, with --radius");
   const double mass = sphere_mass(radius, density);
   job.radius = radius;
   job.radius_eff = radius;
@@ -65,8 +64,8 @@ double mass_of_spheres(const Options& o, Job& job) {
     return mass;
   }
   if (!o.radius2 && !o.density2) job.assumptions.push_back("two equal spheres (--radius2, --density2, --wall)");
-  const double radius2 = positive("--radius2", o.radius2.value_or(radius), widest_of_spheres);
-  const double other = sphere_mass(radius2, positive("--density2", o.density2.value_or(density), widest_of_spheres));
+  const double radius2 = positive("--radius2", o.radius2.value_or(radius));
+  const double other = sphere_mass(radius2, positive("--density2", o.density2.value_or(density)));
   job.radius = std::min(radius, radius2);
   job.radius_eff = radius / (1 + radius / radius2);
   if (o.density2.value_or(density) != density) job.density.reset();
@@ -80,7 +79,7 @@ double mass_eff(const Options& o, Job& job) {
       throw BadInput("--mass-eff", shortest(*o.mass_eff), "left out with --radius, --density or --wall");
     return *o.mass_eff;
   }
-  if (speaks_of_spheres(o)) return mass_of_spheres(o, job);
+  if (speaks_of_spheres(o)) return usable_mass(mass_of_spheres(o, job));
   job.assumptions.push_back("effective mass " + shortest(default_mass_eff) +
                             " kg, two spheres of radius 1.5 mm and 1000 kg/m^3 (--mass-eff)");
   job.radius_eff = default_radius_eff;

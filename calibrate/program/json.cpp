@@ -43,6 +43,7 @@ Json json_of(const Calibration& r) {
   out["algorithm"] = r.algorithm;
   out["cross_check"] = {{"method", text(r.cross_method)}, {"max_relative_difference", r.cross_difference}};
   out["identifiable"] = identifiable_names(r.law);
+  if (!r.remarks.empty()) out["remarks"] = r.remarks;
   return out;
 }
 
@@ -69,6 +70,8 @@ std::string json_of(const Report& report) {
   for (const auto& result : report.results) out["results"].push_back(json_of(result));
   out["infeasible"] = Json::array();
   for (const auto& missed : report.infeasible) out["infeasible"].push_back(json_of(missed));
+  for (const auto& failure : report.failed)
+    out["failed"].push_back({{"law", text(failure.law)}, {"end", text(failure.end)}, {"reason", failure.reason}});
   return console::document(out);
 }
 

@@ -38,6 +38,7 @@ console::Exit work(Options& options) {
   if (page) page->commit();
   output.commit();
   // Other laws that did reach the target answer the question; only a lone law that cannot is an error.
+  if (report.results.empty() && !report.failed.empty()) throw console::Failed(report.failed.front().reason);
   if (report.results.empty())
     throw console::Unreachable(lone_failure(report.infeasible.front()));
   return console::Exit::done;
@@ -50,6 +51,8 @@ int main(int argc, char** argv) {
   console::add_version(app);
   Options options;
   add_options(app, options);
+  app.footer("Exit code 0: done; 1: a row of --targets failed; 2: bad input; 3: the law cannot reach the target; 4: the computation, "
+             "or writing its result, failed.");
   return console::run_program(app, argc, argv, [&] {
     for (const CLI::Option* option : app.get_options())
       if (option->count() > 0) options.given.push_back(option->get_name());

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ricochet::calibration {
 namespace {
@@ -28,6 +29,18 @@ void add_choice(CLI::App& app, const std::string& flag, std::string& target, std
   app.add_option_function<std::string>(flag, read, description + ": " + list)->type_name("NAME");
 }
 
+/// The headings of --help, in its order.
+void group_options(CLI::App& app) {
+  const std::pair<const char*, std::vector<const char*>> groups[] = {
+      {"Target", {"--tcol", "--en", "--law", "--end", "--stiffness"}},
+      {"Impact", {"--velocity", "--mass-eff", "--radius", "--density", "--radius2", "--density2", "--wall"}},
+      {"Method", {"--method", "--algorithm", "--tolerance"}},
+      {"Many targets and measured data", {"--targets", "--threads", "--fit", "--alpha-of-speed", "--figures"}},
+      {"Output", {"--export", "--report", "--format", "--output"}}};
+  for (const auto& [heading, flags] : groups)
+    for (const char* flag : flags) app.get_option(flag)->group(heading);
+}
+
 }  // namespace
 
 void add_options(CLI::App& app, Options& o) {
@@ -46,12 +59,12 @@ void add_options(CLI::App& app, Options& o) {
   add_number(app, "--density2", o.density2, "density of the other sphere [kg/m^3] (default --density)");
   app.add_flag("--wall", o.wall, "the sphere hits a wall instead of another sphere");
   add_number(app, "--stiffness", o.stiffness, "k that the fractional law holds [kg/s^2] (default linear's, by force)");
-  add_choice(app, "--method", o.method, {"nlopt", "direct"}, "method of the answer; the other one cross-checks it");
+  add_choice(app, "--method", o.method, {"nlopt", "direct"}, "method of the answer (default nlopt); the other one cross-checks it");
   add_choice(app, "--algorithm", o.settings.algorithm, algorithms(), "NLopt's algorithm (default LN_BOBYQA)");
   add_number(app, "--tolerance", o.settings.tolerance, "relative, in tcol and en (default 1e-10)");
   app.add_option("--targets", o.targets,
                  "calibrate every row of a CSV file instead: columns tcol, en and any of velocity, mass_eff, law, end, "
-                 "stiffness; directly, on all cores")
+                 "stiffness; directly, on all cores; - is standard input")
       ->type_name("FILE");
   const auto read_threads = [&o](const std::string& value) {
     const auto number = console::parse_number(value);
@@ -72,6 +85,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--report", o.page, "also write a page with curves, sensitivities, time steps and export snippets")
       ->type_name("FILE.html");
   console::add_output_options(app, o.output);
+  group_options(app);
 }
 
 }  // namespace ricochet::calibration

@@ -14,9 +14,13 @@ Infeasible not_offered(LawName law) {
 Report run(const Job& job, const Settings& settings) {
   Report report{job, {}, {}};
   for (const auto& request : job.requests) {
-    const Outcome outcome = calibrate(request, settings);
-    if (const auto* result = std::get_if<Calibration>(&outcome)) report.results.push_back(*result);
-    if (const auto* missed = std::get_if<Infeasible>(&outcome)) report.infeasible.push_back(*missed);
+    try {
+      const Outcome outcome = calibrate(request, settings);
+      if (const auto* result = std::get_if<Calibration>(&outcome)) report.results.push_back(*result);
+      if (const auto* missed = std::get_if<Infeasible>(&outcome)) report.infeasible.push_back(*missed);
+    } catch (const NotConverged& failure) {
+      report.failed.push_back({request.law, request.end, failure.what()});
+    }
   }
   for (const auto law : job.left_out) report.infeasible.push_back(not_offered(law));
   return report;

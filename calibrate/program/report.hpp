@@ -9,13 +9,22 @@
 
 namespace ricochet::calibration {
 
+/// A law whose computation failed.
+struct Failure {
+  LawName law;
+  ContactEnd end;
+  std::string reason;
+};
+
 /// Everything that the program has to tell about one job.
 struct Report {
   Job job;
   std::vector<Calibration> results;
   std::vector<Infeasible> infeasible;
+  std::vector<Failure> failed = {};
 };
 
+/// One law's failure leaves the others' results as they are.
 Report run(const Job& job, const Settings& settings);
 
 /// "en = 0.01: must be in [0.2, 1]: <why>"

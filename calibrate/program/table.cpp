@@ -64,6 +64,8 @@ Table check_table(const Report& report) {
     table.row({law_of(r), end_of(r), std::string(text(r.method)), r.algorithm, static_cast<std::int64_t>(r.evaluations),
                std::abs(r.tcol_residual), std::abs(r.en_residual), std::string(text(r.cross_method)),
                r.cross_difference});
+  for (const auto& r : report.results)
+    for (const auto& remark : r.remarks) table.note(law_of(r) + ", ended by " + end_of(r) + ": " + remark);
   return table;
 }
 
@@ -74,6 +76,13 @@ Table infeasible_table(const Report& report) {
   return table;
 }
 
+Table failure_table(const Report& report) {
+  Table table({{"law"}, {"end"}, {"why"}}, "Failed");
+  for (const auto& failure : report.failed)
+    table.row({std::string(text(failure.law)), std::string(text(failure.end)), failure.reason});
+  return table;
+}
+
 }  // namespace
 
 std::vector<Table> tables_of(const Report& report) {
@@ -81,6 +90,7 @@ std::vector<Table> tables_of(const Report& report) {
   if (!report.results.empty())
     tables = {parameter_table(report), collision_table(report), check_table(report)};
   if (!report.infeasible.empty()) tables.push_back(infeasible_table(report));
+  if (!report.failed.empty()) tables.push_back(failure_table(report));
   return tables;
 }
 

@@ -1,3 +1,4 @@
+#include "reach.hpp"
 #include "solution.hpp"
 
 #include <ricochet/contact/fractional_contact.hpp>
@@ -5,15 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 
 namespace ricochet::calibration {
 namespace {
 
 using detail::require;
 
-/// SI values whose powers and products stay within the range of a double.
 void require_ordinary(const char* name, double value) {
-  require(value >= 1e-30 && value <= 1e30, name, value, "in [1e-30, 1e30]");
+  require(value >= least_scale && value <= greatest_scale, name, value, range_of_scales);
 }
 
 void require_settings(const Settings& settings) {
@@ -28,32 +31,18 @@ void require_settings(const Settings& settings) {
 
 /// k of the linear law that hits the target by force, what the paper gives the fractional law to hold.
 double held_stiffness(const Request& request) {
+  if (request.law != LawName::fractional) return 0;
   if (request.stiffness) return *request.stiffness;
   const auto linear = solve_directly(LawName::linear, ContactEnd::force, request.target.en);
   const double unit = request.target.impact.mass_eff / (request.target.tcol * request.target.tcol);
-  return std::exp(linear.value().x.scale) * unit;
+  return std::get<Linear>(linear.value().law).k() * unit;
 }
 
-/// The law of the direct reduction, where the numerical collision confirms that it hits the target to the tolerance.
-std::optional<Solution> reduced(const Request& request, double en, double tolerance) {
+/// The direct solution, unless rounding keeps it from the tolerance.
+std::optional<Solution> reduced(const Request& request, double tolerance) {
+  const double en = request.target.en;
   const auto solved = solve_directly(request.law, request.end, en);
-  if (!solved) return std::nullopt;
-  const auto out = collide(scaled_law(request.law, solved->x), {1, 1}, {request.end, CollideMethod::numerical});
-  // With room to spare, so that what is called reachable does not hang on the luck of the last digits.
-  const double share = 0.25 * tolerance;
-  const bool hit = out.separated() && std::abs(out.tcol - 1) <= share && std::abs(out.en - en) <= share * en;
-  return hit ? solved : std::nullopt;
-}
-
-/// The smallest e_n that `reduced` reaches, by bisection of ln e_n.
-Infeasible out_of_reach(const Request& request, double tolerance) {
-  double missed = std::log(request.target.en), reached = 0;
-  for (int halving = 0; halving < 20; ++halving) {
-    const double middle = 0.5 * (missed + reached);
-    (reduced(request, std::exp(middle), tolerance) ? reached : missed) = middle;
-  }
-  return {request.law, request.end, "nearer to the end of its range, rounding keeps the law from the tolerance", "en",
-          request.target.en, std::exp(reached), 1};
+  return solved && rounding_error(solved->law, request.end, en) <= tolerance ? solved : std::nullopt;
 }
 
 /// The k that would give c^α k^{1−α} its value alone, at α = 0 [kg/s²].
@@ -99,20 +88,47 @@ std::optional<double> estimate(const AnyLaw& law, const Impact& impact, ContactE
   return std::nullopt;
 }
 
-/// The chosen solution in SI, run through the numerical collision and held against the other one.
-Calibration checked(const Request& request, const Settings& settings, const AnyLaw& law, const Solution& chosen,
-                    double cross_difference) {
+/// Greatest relative miss of the target, 1 where the bodies do not part.
+double miss(const Collision& out, double tcol, double en) {
+  return out.separated() ? std::max(std::abs(out.tcol - tcol) / tcol, std::abs(out.en - en) / en) : 1;
+}
+
+/// Does a point of the search do what the search wanted of it?
+bool hits(const Solution& found, const Request& request, double tolerance) {
+  return miss(collide(found.law, {1, 1}, {request.end}), 1, request.target.en) <= tolerance;
+}
+
+/// "1.2e-08"
+std::string two_digits(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(2) << value;
+  return text.str();
+}
+
+std::string called(const Request& request) {
+  return std::string(text(request.law)) + ", ended by " + std::string(text(request.end));
+}
+
+/// Runs the answer through the numerical collision, and says so where that cannot confirm it to the tolerance.
+void check(Calibration& out, const Request& request, double tolerance) {
   const auto& [tcol, en, impact] = request.target;
-  Calibration out{law, request.end, collide(law, impact, {request.end, CollideMethod::numerical}), 0, 0,
-                  estimate(law, impact, request.end), settings.method, chosen.algorithm, chosen.evaluations,
-                  settings.method == Method::nlopt ? Method::direct : Method::nlopt, cross_difference};
+  out.achieved = collide(out.law, impact, {request.end, CollideMethod::numerical});
+  const double bound = check_error(out.law, request.end, en);
+  if (!out.achieved.separated()) {
+    const auto status = out.achieved.status;
+    out.achieved = collide(out.law, impact, {request.end});
+    if (status == CollisionStatus::no_separation || !out.achieved.separated())
+      throw NotConverged(called(request) + ": the numerical collision does not part");
+    out.remarks.push_back("the numerical collision does not resolve so small an en; achieved is by the closed form");
+  } else if (const double left = miss(out.achieved, tcol, en); left > std::max(tolerance, bound)) {
+    throw NotConverged(called(request) + ": the numerical collision misses the target by " + two_digits(left));
+  } else if (left > tolerance) {
+    out.remarks.push_back("confirmed to " + two_digits(left) + " only, within the numerical collision's own error of " +
+                          two_digits(bound));
+  }
   out.tcol_residual = (out.achieved.tcol - tcol) / tcol;
   out.en_residual = (out.achieved.en - en) / en;
-  if (!out.achieved.separated() || std::abs(out.tcol_residual) > settings.tolerance ||
-      std::abs(out.en_residual) > settings.tolerance)
-    throw NotConverged(std::string(text(request.law)) + ", ended by " + std::string(text(request.end)) + ": " +
-                       chosen.algorithm + " missed the tolerance");
-  return out;
 }
 
 }  // namespace
@@ -131,32 +147,41 @@ void require_request(const Request& request) {
 }
 
 std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance) {
-  const auto direct = reduced(request, request.target.en, tolerance);
+  const auto direct = reduced(request, tolerance);
   if (!direct) return out_of_reach(request, tolerance);
-  const AnyLaw scaled = scaled_law(request.law, direct->x);
-  const double held = request.law == LawName::fractional ? held_stiffness(request) : 0;
-  const auto law = in_si(scaled, request.target, held);
-  if (!law || !fits(request, scaled, held, tolerance))
-    return unfit_stiffness(request, std::get<Fractional>(scaled), held);
-  return *law;
+  const double held = held_stiffness(request);
+  const auto law = in_si(direct->law, request.target, held);
+  if (law && fits(request, direct->law, held, tolerance)) return *law;
+  const auto* fractional = std::get_if<Fractional>(&direct->law);
+  return fractional ? unfit_stiffness(request, *fractional, held) : out_of_reach(request, tolerance);
 }
 
 Outcome calibrate(const Request& request, const Settings& settings) {
   require_request(request);
   require_settings(settings);
-  const double en = request.target.en;
-  const auto direct = reduced(request, en, settings.tolerance);
-  if (!direct) return out_of_reach(request, settings.tolerance);
-  const Solution found = search(request.law, request.end, en, settings.algorithm, settings.tolerance);
-
-  const double held = request.law == LawName::fractional ? held_stiffness(request) : 0;
-  const auto& chosen = settings.method == Method::nlopt ? found : *direct;
-  const auto& other = settings.method == Method::nlopt ? *direct : found;
-  const auto law = in_si(scaled_law(request.law, chosen.x), request.target, held);
-  const auto cross = in_si(scaled_law(request.law, other.x), request.target, held);
-  if (!law || !cross || !fits(request, scaled_law(request.law, direct->x), held, settings.tolerance))
-    return unfit_stiffness(request, std::get<Fractional>(scaled_law(request.law, chosen.x)), held);
-  return checked(request, settings, *law, chosen, greatest_relative_difference(*law, *cross));
+  const auto law = calibrate_directly(request, settings.tolerance);
+  if (const auto* missed = std::get_if<Infeasible>(&law)) return *missed;
+  const Solution direct = reduced(request, settings.tolerance).value();
+  const Solution found = search(request.law, request.end, request.target.en, settings.algorithm, settings.tolerance);
+  const auto found_law = in_si(found.law, request.target, held_stiffness(request));
+  const bool hit = found_law && hits(found, request, settings.tolerance);
+  const bool by_search = settings.method == Method::nlopt && hit;
+  const Solution& chosen = by_search ? found : direct;
+  Calibration out{.law = by_search ? *found_law : std::get<AnyLaw>(law),
+                  .end = request.end,
+                  .achieved = {},
+                  .tcol_residual = 0,
+                  .en_residual = 0,
+                  .tcol_estimate = {},
+                  .method = by_search ? Method::nlopt : Method::direct,
+                  .algorithm = chosen.algorithm,
+                  .evaluations = chosen.evaluations,
+                  .cross_method = by_search ? Method::direct : Method::nlopt,
+                  .cross_difference = greatest_relative_difference(direct.law, found.law)};
+  out.tcol_estimate = estimate(out.law, request.target.impact, request.end);
+  if (!hit) out.remarks.push_back(found.algorithm + " missed the tolerance; the direct solution is answered");
+  check(out, request, settings.tolerance);
+  return out;
 }
 
 }  // namespace ricochet::calibration

@@ -47,10 +47,12 @@ AnyLaw linear_by_force(const Target& t, const ReductionTable& table) {
   return Linear(table.stiffness(loss) * unit / t.tcol, 2 * loss * unit);
 }
 
-AnyLaw hysteretic(const Target& t) {
+/// nullopt where k₂ is no normal double.
+std::optional<AnyLaw> hysteretic(const Target& t) {
   const double root = 0.5 * pi * (1 + t.en) / t.tcol;
-  const double k1 = root * root * t.impact.mass_eff;
-  return Hysteretic(k1, k1 / (t.en * t.en));
+  const double k1 = root * root * t.impact.mass_eff, k2 = k1 / (t.en * t.en);
+  if (!std::isnormal(k2)) return std::nullopt;
+  return Hysteretic(k1, k2);
 }
 
 AnyLaw kuwabara_kono(const Target& t, const ReductionTable& table) {
@@ -91,8 +93,9 @@ struct DirectCalibrator::Tables {
     const Target& t = request.target;
     const bool by_force = request.end == ContactEnd::force;
     if (request.law == LawName::hysteretic) return hysteretic(t);
+    if (t.en < least_en) return std::nullopt;
     if (request.law == LawName::linear && !by_force) return linear_by_overlap(t);
-    if (t.en < least_en || (t.en > greatest_en && t.en < 1)) return std::nullopt;
+    if (t.en > greatest_en && t.en < 1) return std::nullopt;
     switch (request.law) {
       case LawName::linear: return calibration::linear_by_force(t, linear_by_force());
       case LawName::kuwabara_kono:

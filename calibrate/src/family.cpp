@@ -27,31 +27,15 @@ Coordinates slowed(double loss, double tcol) {
 /// α from its logit; 0 at −∞.
 double conversion_degree_at(double loss) { return 1 / (1 + std::exp(-loss)); }
 
-struct ToSi {
-  const Target& target;
-  double held_stiffness;
-
-  template <class Law>
-  std::optional<AnyLaw> operator()(const Law& law) const {
-    constexpr Exponents e = exponents<Law>;
-    const auto& [v, m] = target.impact;
-    return Law(law.k() * m * std::pow(v, 1 - e.a) * std::pow(target.tcol, -e.a - 1),
-               law.c() * m * std::pow(v, -e.b) * std::pow(target.tcol, -e.b - 1));
-  }
-  std::optional<AnyLaw> operator()(const Hysteretic& law) const {
-    const double unit = target.impact.mass_eff / (target.tcol * target.tcol);
-    return Hysteretic(law.k1() * unit, law.k2() * unit);
-  }
-  /// c^α k^{1−α} = k (c/k)^α, solved for c. The elastic α = 0 leaves c free: √(k m) stands for it.
-  std::optional<AnyLaw> operator()(const Fractional& law) const {
-    const double m = target.impact.mass_eff, k = held_stiffness, alpha = law.alpha();
-    if (alpha == 0) return Fractional(k, std::sqrt(k * m), 0);
-    const double ratio = law.coefficient() * m / (k * target.tcol * target.tcol);
-    const double c = k * target.tcol * std::exp(std::log(ratio) / alpha);
-    if (!std::isnormal(c)) return std::nullopt;
-    return Fractional(k, c, alpha);
-  }
-};
+/// c^α k^{1−α} = k (c/k)^α, solved for c. The elastic α = 0 leaves c free: √(k m) stands for it.
+std::optional<AnyLaw> holding(double k, const Fractional& law, const Target& target) {
+  const double m = target.impact.mass_eff, alpha = law.alpha();
+  if (alpha == 0) return Fractional(k, std::sqrt(k * m), 0);
+  const double ratio = law.coefficient() * m / (k * target.tcol * target.tcol);
+  const double c = k * target.tcol * std::exp(std::log(ratio) / alpha);
+  if (!std::isnormal(c)) return std::nullopt;
+  return Fractional(k, c, alpha);
+}
 
 }  // namespace
 
@@ -79,7 +63,8 @@ Coordinates with_unit_tcol(LawName law, double loss, double tcol) {
 }
 
 std::optional<AnyLaw> in_si(const AnyLaw& scaled, const Target& target, double held_stiffness) {
-  return std::visit(ToSi{target, held_stiffness}, scaled);
+  const auto* fractional = std::get_if<Fractional>(&scaled);
+  return fractional ? holding(held_stiffness, *fractional, target) : at_impact(scaled, target.tcol, target.impact);
 }
 
 }  // namespace ricochet::calibration

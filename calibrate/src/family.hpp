@@ -20,7 +20,7 @@ AnyLaw scaled_law(LawName law, const Coordinates& x);
 Coordinates with_unit_tcol(LawName law, double loss, double tcol);
 
 /// A law in the units of the target brought to SI; `held_stiffness` is the fractional law's k [kg/s²].
-/// nullopt where the c that goes with the held k is not a finite number > 0.
+/// nullopt where a parameter, such as the c that goes with the held k, is no normal double.
 std::optional<AnyLaw> in_si(const AnyLaw& scaled, const Target& target, double held_stiffness);
 
 }  // namespace ricochet::calibration

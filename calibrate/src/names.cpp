@@ -42,10 +42,6 @@ std::string_view text(ContactEnd end) noexcept { return end == ContactEnd::force
 
 std::string_view text(Method method) noexcept { return method == Method::nlopt ? "nlopt" : "direct"; }
 
-bool offers(LawName law, ContactEnd end) noexcept {
-  return end == ContactEnd::force || (law != LawName::kuwabara_kono && law != LawName::hysteretic);
-}
-
 std::vector<Parameter> parameters(const AnyLaw& law) { return std::visit(Parameters{}, law); }
 
 std::vector<Parameter> identifiable(const AnyLaw& law) {

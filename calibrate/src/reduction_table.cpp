@@ -48,25 +48,39 @@ class Walk {
   double slope_ = 1;
 };
 
+struct Coefficients {
+  double k, c;
+};
+
+/// Of a damped power law.
+Coefficients coefficients(const AnyLaw& law) {
+  return std::visit(
+      [](const auto& l) -> Coefficients {
+        if constexpr (requires { l.c(); }) return {l.k(), l.c()};
+        return {};
+      },
+      law);
+}
+
 }  // namespace
 
 ReductionTable::ReductionTable(LawName law, ContactEnd end)
-    : elastic_(std::exp(solve_directly(law, end, 1).value().x.scale)) {
+    : elastic_(coefficients(solve_directly(law, end, 1).value().law).k) {
   Walk walk(law, end, least_loss);
   const auto solution = [&](double loss) {
     // The other laws have their group in closed form.
-    if (law != LawName::kuwabara_kono) return solve_directly(law, end, std::exp(-loss)).value().x;
+    if (law != LawName::kuwabara_kono) return coefficients(solve_directly(law, end, std::exp(-loss)).value().law);
     const Point& point = walk.to(loss);
-    return with_unit_tcol(law, point.group, point.tcol);
+    return coefficients(scaled_law(law, with_unit_tcol(law, point.group, point.tcol)));
   };
   for (int i = 0; low_edge(i) < greatest_loss; ++i) {
     const double low = low_edge(i), high = low_edge(i + 1);
     Panel::Row k{}, c_over_loss{};
     for (std::size_t j = Panel::size; j-- > 0;) {  // the abscissae fall with j
       const double loss = Panel::abscissa(j, low, high);
-      const Coordinates x = solution(loss);
-      k[j] = std::exp(x.scale);
-      c_over_loss[j] = std::exp(x.loss) / loss;
+      const Coefficients law_at = solution(loss);
+      k[j] = law_at.k;
+      c_over_loss[j] = law_at.c / loss;
     }
     panels_.push_back({Panel(k, low, high), Panel(c_over_loss, low, high)});
   }

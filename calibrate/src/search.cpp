@@ -126,7 +126,7 @@ Solution search(LawName law, ContactEnd end, double en, const std::string& algor
     run(problem, chosen, step, miss * miss);
     step = std::clamp(std::sqrt(problem.best_value()), 1e-10, 1.0);
   }
-  return {problem.coordinates(problem.best()), algorithm, problem.evaluations()};
+  return {scaled_law(law, problem.coordinates(problem.best())), algorithm, problem.evaluations()};
 }
 
 }  // namespace ricochet::calibration

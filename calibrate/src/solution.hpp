@@ -8,13 +8,12 @@ namespace ricochet::calibration {
 
 /// What a method found, in the units of the target.
 struct Solution {
-  Coordinates x;
+  AnyLaw law;
   std::string algorithm;
   std::size_t evaluations;  ///< collisions tried
 };
 
-/// The reduction: the one dimensionless group from e_n, then the scale from one collision. nullopt where no group was found
-/// that keeps e_n.
+/// The reduction of `unit_law`: the one dimensionless group from e_n, then the scale. nullopt as there.
 std::optional<Solution> solve_directly(LawName law, ContactEnd end, double en);
 
 /// The search; its best point, whether or not it met the tolerance.
@@ -28,7 +27,7 @@ inline Collision unit_collision(LawName law, const Coordinates& x, ContactEnd en
 /// Throws std::invalid_argument for a target or stiffness outside its domain and for an end that the law does not offer.
 void require_request(const Request& request);
 
-/// The law by the direct reduction alone, where the numerical collision confirms it; the request is a valid one.
+/// The law by the direct reduction alone, where doubles carry it to the tolerance; the request is a valid one.
 std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance);
 
 }  // namespace ricochet::calibration

@@ -131,7 +131,7 @@ TEST_CASE("what cannot be reached comes with a range that can") {
   CHECK(out.lowest > 1e-5);
   CHECK(out.lowest < 0.01);
   CHECK(out.highest == 1);
-  calibrated({LawName::fractional, ContactEnd::overlap}, 1e-4, 1.5 * out.lowest);
+  calibrated({LawName::fractional, ContactEnd::overlap}, 1e-4, out.lowest);
 }
 
 TEST_CASE("a held k that no c can go with is infeasible, with the range of k") {
@@ -159,4 +159,55 @@ TEST_CASE("misuse names the value") {
                     Catch::Contains("algorithm = GN_ISRES: must be one of LN_BOBYQA"));
   CHECK_THROWS_WITH(calibrate({LawName::hysteretic, ContactEnd::overlap, {1e-4, 0.5, table_two}}),
                     "end = overlap: must be force for the law hysteretic");
+}
+
+TEST_CASE("what a law reaches does not hang on the luck of the last digits") {
+  const auto direct = Settings{.method = Method::direct};
+  const auto reached = [&](LawName law, ContactEnd end, double en) {
+    CAPTURE(text(law), text(end), en);
+    const auto result = calibrated({law, end}, 1e-4, en, direct);
+    CHECK((result.remarks.empty() || std::abs(result.en_residual) < 1e-6));
+    CHECK(std::abs(result.tcol_residual) < 1e-6);
+  };
+  for (int i = 0; i < 40; ++i) reached(LawName::hysteretic, ContactEnd::force, 0.0025 + 0.0001 * i);
+  for (const double en : {1e-5, 1e-6, 1e-7, 3e-8, 1e-12, 1e-30}) {
+    reached(LawName::hysteretic, ContactEnd::force, en);
+    reached(LawName::linear, ContactEnd::force, en);
+    reached(LawName::linear, ContactEnd::overlap, en);
+    reached(LawName::tsuji, ContactEnd::force, en);
+    reached(LawName::kuwabara_kono, ContactEnd::force, en);
+  }
+  for (const double en : {0.003, 1e-4, 1e-6}) reached(LawName::fractional, ContactEnd::force, en);
+}
+
+TEST_CASE("the range that is named is reached to its last digit, and nothing below") {
+  const double tolerance = 1e-10;
+  for (const Case& c : {Case{LawName::fractional, ContactEnd::overlap}, Case{LawName::fractional, ContactEnd::force},
+                        Case{LawName::linear, ContactEnd::overlap}, Case{LawName::hysteretic, ContactEnd::force}}) {
+    CAPTURE(text(c.law), text(c.end));
+    const auto out = missed({c.law, c.end, {1e-4, 1e-310, table_two}}, {.method = Method::direct, .tolerance = tolerance});
+    calibrated(c, 1e-4, out.lowest, {.method = Method::direct, .tolerance = tolerance});
+    CHECK(std::holds_alternative<Infeasible>(calibrate({c.law, c.end, {1e-4, 0.98 * out.lowest, table_two}},
+                                                       {.method = Method::direct, .tolerance = tolerance})));
+  }
+  // Of the fractional law by overlap, 1e-15/e_n² is the tolerance at 0.003162….
+  CHECK(missed({LawName::fractional, ContactEnd::overlap, {1e-4, 1e-3, table_two}}).lowest == Approx(0.00317).epsilon(1e-12));
+}
+
+TEST_CASE("where the search misses the tolerance the direct solution is answered, and said to be") {
+  const auto by_direct = [](const Case& c, double en, const Settings& settings) {
+    CAPTURE(text(c.law), en);
+    const auto result = calibrated(c, 1e-4, en, settings);
+    CHECK(std::abs(result.tcol_residual) <= 1e-10);
+    CHECK(std::abs(result.en_residual) <= 1e-10);
+    if (result.method == Method::nlopt) return false;
+    CHECK(result.cross_method == Method::nlopt);
+    CHECK(result.remarks.at(0) == settings.algorithm + " missed the tolerance; the direct solution is answered");
+    return true;
+  };
+  // No step of a search is small enough for a k2/k1 past e^40.
+  CHECK(by_direct({LawName::hysteretic, ContactEnd::force}, 1e-9, {}));
+  for (const auto& c : all_cases)
+    if (c.law != LawName::fractional || c.end != ContactEnd::overlap) by_direct(c, 0.002, {});
+  for (const auto& c : all_cases) by_direct(c, 0.999999999999, {.algorithm = "LD_SLSQP"});
 }

@@ -87,8 +87,11 @@ TEST_CASE("what the tables leave out is answered as calibrate answers it") {
                                  Request{LawName::kuwabara_kono, ContactEnd::force, {1e-4, 0.99999, impact}},
                                  Request{LawName::fractional, ContactEnd::force, {1e-4, 0.99999, impact}}})
     CHECK(difference(by_table(calibrator, request), slowly(request)) < 1e-11 + 2e-14 / -std::log(request.target.en));
-  const auto missed = calibrator({LawName::linear, ContactEnd::force, {1e-4, 1e-300, impact}});
-  CHECK(std::holds_alternative<Infeasible>(missed));
+  for (const LawName law : {LawName::linear, LawName::hysteretic, LawName::fractional}) {
+    CHECK(std::holds_alternative<Infeasible>(calibrator({law, ContactEnd::force, {1e-4, 1e-320, impact}})));
+    for (const double en : {0.0025, 0.003, 0.0033, 0.004, 0.0051, 1e-6})
+      CHECK(std::holds_alternative<AnyLaw>(calibrator({law, ContactEnd::force, {1e-4, en, impact}})));
+  }
   const auto spring = calibrator({LawName::fractional, ContactEnd::force, {1e-4, 1, impact}, 1.0});
   REQUIRE(std::holds_alternative<Infeasible>(spring));
   CHECK(std::get<Infeasible>(spring).quantity == "stiffness");

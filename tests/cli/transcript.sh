@@ -16,7 +16,6 @@ mask() {
     -e 's/("(evaluations|max_relative_difference)"): [0-9.e+-]+/\1: #/' \
     -e '/"(value|standard_error)":/ s/([0-9]{4}\.[0-9]{4}|[0-9]{2}\.[0-9]{6})[0-9]+/\1#/' \
     -e 's/([0-9]\.[0-9]{8})[0-9]+/\1#/g' \
-    -e 's/in \[[0-9.e-]+, 1\]: nearer/in [#, 1]: nearer/' \
     -e 's/[[:space:]]+$//'
 }
 

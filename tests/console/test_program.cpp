@@ -87,6 +87,10 @@ TEST_CASE("every wrong command line is one line and exit code 2") {
       {{"--en", "abc"}, "try: --en = abc: must be a finite number\n"},
       {{"--en", "nan"}, "try: --en = nan: must be a finite number\n"},
       {{"--en", "1,5"}, "try: --en = 1,5: must be a finite number\n"},
+      {{"--en"}, "try: --en: value missing: must be followed by one\n"},
+      {{"--en", "0.1", "--en", "0.2"}, "try: --en: given 2 times: must be given once\n"},
+      {{"--none", "1"}, "try: --none: not known: must be an option that `try --help` lists\n"},
+      {{"extra"}, "try: extra: not known: must be an option that `try --help` lists\n"},
       {{"--mass-eff", "-1"}, "try: --mass-eff = -1: must be finite and > 0\n"},
       {{"--format", "xml"}, "try: --format = xml: must be table, json, csv or markdown\n"},
       {{"-o", "/none/x"}, "try: /none/x: cannot write: No such file or directory\n"}};
@@ -96,11 +100,28 @@ TEST_CASE("every wrong command line is one line and exit code 2") {
     CHECK(ran.err == message);
     CHECK(ran.out.empty());
   }
-  for (const std::vector<const char*>& arguments : {std::vector<const char*>{"--none"}, {"extra"}, {"--en"}}) {
-    const Ran ran = run(arguments);
-    CHECK(ran.code == 2);
-    CHECK(ran.err.find('\n') == ran.err.size() - 1);
-  }
+}
+
+TEST_CASE("a program of several commands names what was typed and what there is") {
+  const auto said = [](std::vector<const char*> arguments) {
+    CLI::App app("tries things", "try");
+    app.require_subcommand(1);
+    int count = 0;
+    for (const char* name : {"one", "two"}) app.add_subcommand(name)->add_option("--count", count)->type_name("N");
+    arguments.insert(arguments.begin(), "try");
+    const int err = ::memfd_create("err", 0), kept = ::dup(STDERR_FILENO);
+    ::dup2(err, STDERR_FILENO);
+    const int code = run_program(app, static_cast<int>(arguments.size()), arguments.data(), [] { return Exit::done; });
+    ::dup2(kept, STDERR_FILENO);
+    ::close(kept);
+    CHECK(code == 2);
+    return content(err);
+  };
+  CHECK(said({}) == "try: command: missing: must be one of one, two\n");
+  CHECK(said({"three"}) == "try: command = three: must be one of one, two\n");
+  CHECK(said({"one", "--report", "x"}) == "try: --report: not known: must be an option that `try one --help` lists\n");
+  CHECK(said({"one", "--count", "2.5"}) == "try: --count = 2.5: must be a whole number\n");
+  CHECK(said({"two", "--count", "1", "--count", "2"}) == "try: --count: given 2 times: must be given once\n");
 }
 
 TEST_CASE("exceptions become exit codes") {

@@ -103,7 +103,13 @@ TEST_CASE("the conversion degree inverts the restitution") {
     }
   CHECK(std::abs(conversion_degree(0.5) - 0.3196786) < 5e-8);    // Fig. 5
   CHECK(std::abs(conversion_degree(0.945) - 0.0293504) < 5e-8);  // Fig. 6
-  CHECK_THROWS_WITH(conversion_degree(1.5), "en = 1.5: must be in [1e-6, 1]");
+  CHECK_THROWS_WITH(conversion_degree(1.5), "en = 1.5: must be in [1e-15, 1]");
+  CHECK_THROWS_WITH(conversion_degree(1e-7, ContactEnd::overlap),
+                    "en = 1e-07: must be in [1e-6, 1] for a contact that ends by overlap");
+  for (const double en : {1e-4, 1e-7, 1e-10, 1e-13}) {
+    const double alpha = conversion_degree(en);
+    CHECK(agree(fractional_contact(alpha).en, en, 1e-11 + 2e-16 / (1 - alpha)));
+  }
   CHECK_THROWS_AS(conversion_degree(0), std::invalid_argument);
   CHECK_THROWS_AS(fractional_contact(1), std::invalid_argument);
 }

@@ -12,6 +12,8 @@
 
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <regex>
 #include <set>
 
@@ -128,7 +130,7 @@ TEST_CASE("the README's C++ is the example that the installed library builds") {
 
 TEST_CASE("every key of a JSON document is described") {
   const std::pair<const char*, const char*> documents_of[] = {
-      {"calibration", "calibrate --tcol 1e-4 --en 0.001"},
+      {"calibration", "calibrate --tcol 1e-4 --en 0.001 --law fractional --end both"},
       {"fit", "calibrate --fit data/restitution_ice_bridges1984.csv --alpha-of-speed"},
       {"export", "calibrate --tcol 1e-4 --en 0.5 --law linear --export lammps"},
       {"<study>", "verify table2"}};
@@ -177,4 +179,15 @@ TEST_CASE("console blocks are read as they are meant") {
   CHECK(matches({"took … s", "…"}, {"took 3.2 s", "x", "y"}));
   CHECK_FALSE(matches({"took … s"}, {"took 3.2 m"}));
   CHECK(matches({"…", "end"}, {"x", "end", "end"}));
+}
+
+TEST_CASE("ricochet.hpp includes every public header") {
+  const fs::path headers = root / "core/include";
+  std::ifstream all(headers / "ricochet/ricochet.hpp");
+  const std::string text{std::istreambuf_iterator<char>(all), {}};
+  for (const auto& entry : fs::recursive_directory_iterator(headers)) {
+    const std::string name = fs::relative(entry.path(), headers).string();
+    if (entry.path().extension() != ".hpp" || name == "ricochet/ricochet.hpp" || name.find("/detail/") != std::string::npos) continue;
+    CHECK_THAT(text, Catch::Contains("#include <" + name + ">"));
+  }
 }

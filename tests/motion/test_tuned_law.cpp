@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace ricochet;
 
 TEST_CASE("A tuned law collides as asked", "[tuned]") {
@@ -39,5 +41,31 @@ TEST_CASE("A tuned law collides as asked", "[tuned]") {
   check(LawKind::fractional, ContactEnd::force, 1e-11);
   CHECK_THROWS_AS(tuned_law(LawKind::linear, tcol, 1.0, impact), std::invalid_argument);
   CHECK_THROWS_AS(tuned_law(LawKind::linear, -1, 0.9, impact), std::invalid_argument);
-  CHECK_THROWS_AS(tuned_law(LawKind::hysteretic, tcol, 0.9, impact, ContactEnd::overlap), std::invalid_argument);
+  CHECK_THROWS_WITH(tuned_law(LawKind::hysteretic, tcol, 0.9, impact, ContactEnd::overlap),
+                    "end = overlap: must be force for the hysteretic law");
+  CHECK_THROWS_AS(tuned_law(LawKind::hysteretic, 1e-200, 0.9, impact), std::overflow_error);
+}
+
+TEST_CASE("every law reaches every restitution, as far as doubles carry it", "[tuned]") {
+  const auto check = [](LawKind kind, ContactEnd end, double en, double bound) {
+    CAPTURE(static_cast<int>(kind), static_cast<int>(end), en);
+    const auto found = unit_law(kind, en, end);
+    REQUIRE(found);
+    const auto out = collide(found->law, {1, 1}, {end});
+    CHECK(out.tcol == Approx(1).epsilon(bound));
+    CHECK(std::abs(out.en - en) <= bound * en);
+  };
+  const auto force = ContactEnd::force, overlap = ContactEnd::overlap;
+  for (const double en : {1.0, 1 - 1e-16, 1 - 1e-12, 0.999, 0.3, 0.0046, 0.003, 1e-6, 1e-12, 1e-30, 1e-100}) {
+    const double loss = -std::log(en);
+    for (const auto kind : {LawKind::linear, LawKind::tsuji, LawKind::hysteretic, LawKind::kuwabara_kono})
+      check(kind, force, en, 1e-11);
+    check(LawKind::linear, overlap, en, 1e-11 + 1e-16 * loss * loss * loss);
+    check(LawKind::tsuji, overlap, en, 1e-11 + 1e-15 * loss * loss * loss);
+    // 1 − alpha > 16 e_n
+    if (en >= 1e-15) check(LawKind::fractional, force, en, 1e-11 + 2e-16 / (16 * en));
+    if (en >= 1e-6) check(LawKind::fractional, overlap, en, 1e-11 + 1e-15 / (en * en));
+  }
+  for (const auto kind : {LawKind::linear, LawKind::tsuji, LawKind::hysteretic, LawKind::kuwabara_kono, LawKind::fractional})
+    CHECK_FALSE(unit_law(kind, 1e-320, force));
 }

@@ -158,7 +158,8 @@ int run_verify(const Studies& studies, int argc, const char* const* argv) {
   CLI::App app("Checks the laws, the numerics and the paper's figures against what they claim", "verify");
   console::add_version(app);
   app.require_subcommand(1);
-  app.footer("Exit code 0: every gate passed; 1: a gate failed; 2: bad input; 4: a study broke down.");
+  app.footer("Every study takes --format table|json|csv|markdown and -o FILE; `verify STUDY --help` lists the rest.\n"
+             "Exit code 0: every gate passed; 1: a gate failed; 2: bad input; 4: a study broke down.");
   Options options;
   const auto thorough = [&options](CLI::App& command) {
     command.add_flag("--thorough", options.run.thorough, "also what takes longer than a test run may");

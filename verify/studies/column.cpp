@@ -173,12 +173,12 @@ class ColumnStudy : public Study {
   }
 
   void add_options(CLI::App& app) override {
-    app.add_option("--nc", beads_, "number of beads of one column, or of the longest one")->type_name("N");
-    console::add_number(app, "--gap", case_.gap, "gap under each bead [m]");
-    console::add_number(app, "--en", case_.en, "restitution that every law is made for");
-    console::add_number(app, "--tcol", case_.tcol, "collision time that every law is made for [s]");
-    app.add_option("--law", law_, "run one column of: linear1, linear2, kuwabara-kono, tsuji, hysteretic, fractional");
-    app.add_option("--steps", case_.steps, "time steps a collision time")->type_name("N");
+    app.add_option("--nc", beads_, "number of beads of one column (default 10), or of the longest one (default 20)")->type_name("N");
+    console::add_number(app, "--gap", case_.gap, "gap under each bead [m], in [0, 1] (default 1e-6)");
+    console::add_number(app, "--en", case_.en, "restitution that every law is made for, in [0.001, 1) (default 0.945)");
+    console::add_number(app, "--tcol", case_.tcol, "collision time that every law is made for [s], in [1e-9, 1] (default 1e-4)");
+    app.add_option("--law", law_, "run one column of: linear1 (or linear), linear2, kuwabara-kono, tsuji, hysteretic, fractional");
+    app.add_option("--steps", case_.steps, "time steps a collision time (default " + std::to_string(case_.steps) + ")")->type_name("N");
   }
 
   StudyResult run(const RunOptions& options) override {
@@ -194,12 +194,12 @@ class ColumnStudy : public Study {
       throw console::BadInput(flag, console::shortest(value), accepted);
     };
     if (beads_ && (*beads_ < 1 || *beads_ > 100000)) reject("--nc", static_cast<double>(*beads_), "from 1 to 100000");
-    if (case_.gap < 0) reject("--gap", case_.gap, "0 or more");
+    if (!(case_.gap >= 0 && case_.gap <= 1)) reject("--gap", case_.gap, "in [0, 1]");
     if (case_.en < 0.001 || case_.en >= 1) reject("--en", case_.en, "in [0.001, 1)");
-    if (case_.tcol <= 0) reject("--tcol", case_.tcol, "greater than 0");
+    if (!(case_.tcol >= 1e-9 && case_.tcol <= 1)) reject("--tcol", case_.tcol, "in [1e-9, 1]");
     if (case_.steps < 10 || case_.steps > 100000) reject("--steps", case_.steps, "from 10 to 100000");
     if (!law_.empty() && !find_column_law(law_))
-      throw console::BadInput("--law", law_, "linear1, linear2, kuwabara-kono, tsuji, hysteretic or fractional");
+      throw console::BadInput("--law", law_, "linear1 (or linear), linear2, kuwabara-kono, tsuji, hysteretic or fractional");
   }
 
   StudyResult one_column() const {

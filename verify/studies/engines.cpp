@@ -110,7 +110,7 @@ void add_exports(std::vector<Case>& cases, Engine engine) {
     for (const auto law :
          {LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic, LawName::fractional})
       for (const auto end : {ContactEnd::overlap, ContactEnd::force}) {
-        if (!calibration::offers(law, end)) continue;
+        if (!offers(law, end)) continue;
         const calibration::ExportCase what{.law = calibrated(law, end, en),
                                            .end = end,
                                            .tcol = tcol,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <ricochet/contact/any_law.hpp>
-#include <ricochet/motion/collision.hpp>
+#include <ricochet/motion/tuned_law.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -13,15 +13,17 @@
 
 namespace ricochet::calibration {
 
-enum class LawName { linear, kuwabara_kono, tsuji, hysteretic, fractional };
+using LawName = LawKind;
 
 /// "linear", "kuwabara-kono", …: as the laws call themselves.
 std::string_view text(LawName law) noexcept;
 /// "overlap" or "force".
 std::string_view text(ContactEnd end) noexcept;
 
-/// The ends that a law is calibrated for: both for linear, tsuji and fractional, else by force alone.
-bool offers(LawName law, ContactEnd end) noexcept;
+/// Where tcol, velocity, mass_eff and stiffness must lie, in SI units: powers and products of them stay within the range
+/// of a double.
+inline constexpr double least_scale = 1e-30, greatest_scale = 1e30;
+inline constexpr const char* range_of_scales = "in [1e-30, 1e30]";
 
 /// What the collision shall do.
 struct Target {
@@ -67,14 +69,16 @@ std::vector<Parameter> identifiable(const AnyLaw& law);
 struct Calibration {
   AnyLaw law;
   ContactEnd end;
-  Collision achieved;                  ///< of `law`, by the numerical path
+  Collision achieved;                  ///< of `law`, by the numerical path; see `remarks`
   double tcol_residual, en_residual;   ///< (achieved − target)/target
   std::optional<double> tcol_estimate; ///< fractional, ended by force: Eq. (57) [s]
-  Method method;
+  Method method;                       ///< that found `law`: direct, too, where nlopt missed the tolerance
   std::string algorithm;               ///< NLopt's, or "bracketed root" or "closed form" of the direct reduction
   std::size_t evaluations;             ///< collisions that `method` tried
   Method cross_method;                 ///< the other one
   double cross_difference;             ///< greatest relative difference of an identifiable parameter between the two
+  /// What is not as usual: that the search missed the tolerance, how far the numerical path can confirm.
+  std::vector<std::string> remarks = {};
 };
 
 /// A target outside what the law can do.
@@ -89,7 +93,7 @@ struct Infeasible {
 
 using Outcome = std::variant<Calibration, Infeasible>;
 
-/// A search that missed its tolerance.
+/// A computation whose result contradicts its check, or that has none.
 class NotConverged : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -101,10 +105,16 @@ class NotConverged : public std::runtime_error {
 /// and one scale that sets t_col. `direct` solves for the group by a closed form or a bracketed root and reads the
 /// scale off one collision. `nlopt` minimises ln²(t/t_col) + ln²(ln e/ln e_n) over the logarithms of the parameters,
 /// starting from parameters that are 1 in those units. The chosen one is answered, the other cross-checks it, and the
-/// answer is run through the numerical collision.
+/// answer is run through the numerical collision. Where nlopt was chosen and missed the tolerance, the answer is direct's.
+///
+/// In exact arithmetic every e_n in (0, 1] can be reached. Infeasible are those to which the rounding of the parameters to
+/// doubles leaves a relative error above the tolerance (1e-16 L³, L = |ln e_n|, for linear by overlap, 1e-15 L³ for tsuji,
+/// 1e-15/e_n² for fractional by overlap, 2e-16/(1 − α) for fractional by force), and those with a parameter that is no
+/// normal double. What the check cannot confirm to the tolerance, because its own error bound (see `collide`) is larger,
+/// is answered with a remark.
 ///
 /// Throws std::invalid_argument for a target, stiffness, algorithm or tolerance outside its domain and for an end that
-/// the law does not offer; NotConverged when the residual exceeds the tolerance.
+/// the law does not offer; NotConverged when the check contradicts the answer.
 Outcome calibrate(const Request& request, const Settings& settings = {});
 
 }  // namespace ricochet::calibration

@@ -1,3 +1,5 @@
+#include "command_line.hpp"
+
 #include <console/number.hpp>
 #include <console/output.hpp>
 #include <console/program.hpp>
@@ -56,7 +58,7 @@ Exit parse_and_run(CLI::App& app, int argc, const char* const* argv, const std::
     write_stdout(std::string(version.what()) + "\n");
     return Exit::done;
   } catch (const CLI::ParseError& error) {
-    throw BadInput(error.what());
+    throw BadInput(told(app, error));
   }
   const Exit result = body();
   std::cout.flush();

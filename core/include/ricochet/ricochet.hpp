@@ -1,21 +1,35 @@
 #pragma once
 
+// Every public header; a test compares this list with the folders.
 #include <ricochet/contact/any_law.hpp>
 #include <ricochet/contact/arms_block.hpp>
+#include <ricochet/contact/damping_ratio.hpp>
+#include <ricochet/contact/fractional.hpp>
 #include <ricochet/contact/fractional_collocation.hpp>
 #include <ricochet/contact/fractional_contact.hpp>
 #include <ricochet/contact/fractional_contact_table.hpp>
 #include <ricochet/contact/friction.hpp>
 #include <ricochet/contact/geometry.hpp>
+#include <ricochet/contact/hysteretic.hpp>
+#include <ricochet/contact/kuwabara_kono.hpp>
 #include <ricochet/contact/law.hpp>
+#include <ricochet/contact/linear.hpp>
+#include <ricochet/contact/mean_force.hpp>
+#include <ricochet/contact/peer_damping.hpp>
+#include <ricochet/contact/tsuji.hpp>
 #include <ricochet/contact/vec3.hpp>
 #include <ricochet/fractional/collocation.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
-#include <ricochet/fractional/operators.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
+#include <ricochet/fractional/operators.hpp>
+#include <ricochet/motion/bodies.hpp>
 #include <ricochet/motion/cluster.hpp>
 #include <ricochet/motion/collision.hpp>
 #include <ricochet/motion/column.hpp>
+#include <ricochet/motion/column_arms.hpp>
+#include <ricochet/motion/column_engine.hpp>
+#include <ricochet/motion/column_memory.hpp>
+#include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/event_driven_column.hpp>
 #include <ricochet/motion/fractional_solvers.hpp>
 #include <ricochet/motion/linked_cells.hpp>

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <tuple>
 
 namespace ricochet {
 
@@ -75,14 +77,23 @@ FractionalContact fractional_contact(double alpha, ContactEnd end) {
 }
 
 double conversion_degree(double en, ContactEnd end) {
-  detail::require(en >= 1e-6 && en <= 1, "en", en, "in [1e-6, 1]");
+  detail::require(en >= least_restitution(end) && en <= 1, "en", en,
+                  end == ContactEnd::force ? "in [1e-15, 1]" : "in [1e-6, 1] for a contact that ends by overlap");
   if (en == 1) return 0;
   const auto excess = [=](double alpha) {
     const double a = 2 - alpha;
     const double z = end == ContactEnd::force ? end_by_force(a) : end_by_overlap(a, zero_after(2, a, 1));
     return -e(a, 1, z) - en;
   };
-  return root(excess, 0, end == ContactEnd::force ? 1 - 1e-6 : overlap_limit);
+  double low = 0, high = end == ContactEnd::force ? 1 - 0x1p-50 : overlap_limit;
+  const double at_low = excess(low), at_high = excess(high);
+  if (at_low <= 0) return low;  // e_n is 1 to its last digit
+  if (at_high >= 0) return high;
+  // Down to neighbours: near the ends e_n takes every digit of α that there is.
+  const auto neighbours = [](double left, double right) { return std::nextafter(left, right) >= right; };
+  std::uintmax_t evaluations = 200;
+  std::tie(low, high) = boost::math::tools::toms748_solve(excess, low, high, at_low, at_high, neighbours, evaluations);
+  return low;
 }
 
 double tcol_estimate(double coefficient, double alpha) {

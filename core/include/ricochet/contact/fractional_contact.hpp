@@ -30,8 +30,12 @@ FractionalContact fractional_contact(double alpha, ContactEnd end = ContactEnd::
 /// The overlap returns to zero only below this α: there its first minimum touches zero, E_{a,1}(−y) = E_{a,2}(−y) = 0.
 inline constexpr double overlap_limit = 0.40088479367698698;
 
+/// The least e_n that `conversion_degree` takes. Below, the rounding of α leaves nothing of it.
+constexpr double least_restitution(ContactEnd end) noexcept { return end == ContactEnd::force ? 1e-15 : 1e-6; }
+
 /// The inverse α(e_n), e_n falling from 1 at α = 0 towards 0 at α = 1 (by force) or at overlap_limit (by overlap).
-/// Domain 1e-6 ≤ e_n ≤ 1; throws std::invalid_argument otherwise. Error: 1e-12 for 0.006 ≤ e_n ≤ 1.
+/// Domain least_restitution(end) ≤ e_n ≤ 1; throws std::invalid_argument otherwise. Error: 1e-12 for 0.006 ≤ e_n ≤ 1, and
+/// of the e_n of that α the error of fractional_contact.
 double conversion_degree(double en, ContactEnd end = ContactEnd::force);
 
 /// Estimate (57) of the collision time [s], read as (1.641^{1−α} Γ(4−α)/A)^{1/(2−α)}: below the exact one.

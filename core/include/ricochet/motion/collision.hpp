@@ -74,7 +74,8 @@ struct Collision {
 /// or, with e_n < 1e-12, the end count as no_separation.
 ///
 /// Relative error of tcol and en, L = |ln e_n|: 1e-11, and more only where the problem itself or its rounding asks for it:
-///   linear, Tsuji, by overlap     1e-16 L³    both paths (the rounding of the damping ratio, above 1e-11 from e_n = 1e-20 down)
+///   linear by overlap             1e-16 L³    both paths: the rounding of a damping ratio close to 1
+///   Tsuji by overlap              1e-15 L³    the same
 ///   fractional, by overlap        1e-15/e_n²  both paths
 ///   fractional, by force          1e-16/(1 − α), both paths; the numerical one 1e-14/e_n more
 /// Throws std::invalid_argument for velocity or mass_eff not finite and > 0, and for closed_form without one.
