@@ -119,6 +119,25 @@ TEST_CASE("a setup or option that makes no sense is named") {
   CHECK_THROWS_AS(box_walls({0, 0, 0}, {1, 1, 0}), std::invalid_argument);
 }
 
+TEST_CASE("a cluster tells how well it keeps the memory of fractional contacts") {
+  const auto error = [](const AnyLaw& law, double longest, double tolerance) {
+    ClusterSetup setup = with_law(law);
+    setup.spheres.push_back({0.01, 1000, {}, {}, {}, 0});
+    return Cluster(setup, {.step = 1e-6, .longest_contact = longest, .kernel_tolerance = tolerance}).kernel_error();
+  };
+  const Fractional mild(1000, 1, 0.3), strong(1000, 1, 0.97);
+  CHECK(error(Linear(1000, 1), 1e-3, 1e-8) == 0);
+  const double kept = error(mild, 1e-3, 1e-8);
+  CHECK(kept > 0);
+  CHECK(kept <= 1e-8);
+  // 4·10⁵ steps at α = 0.97 ask for more arms than a contact carries: the tolerance gives way, by no more than tenfold too much.
+  const double loosened = error(strong, 0.4, 1e-8);
+  CHECK(loosened > 1e-6);
+  CHECK(loosened <= 1e-5);
+  CHECK_THROWS_WITH(error(mild, 1e-3, 0), "kernel_tolerance = 0: must be in [1e-12, 0.1]");
+  CHECK_THROWS_WITH(error(mild, 1, 1e-8), Catch::Contains("longest_contact = 1: must be at most 5e5 steps"));
+}
+
 TEST_CASE("the literal reading lets a pair fall silent until it has separated, the default repels again") {
   // A third sphere from behind pushes the first back into the second, whose force has just fallen to zero.
   const auto run = [](Reclosing reclosing) {
