@@ -15,7 +15,7 @@ using console::Json;
 
 void Node::reject(std::string_view accepted) const {
   std::string shown = json_->dump();
-  if (shown.size() > 60) shown = shown.substr(0, 57) + "...";
+  if (shown.size() > 60) shown.replace(57, std::string::npos, "...");
   throw BadInput(file_ + ": " + (path_.empty() ? "/" : path_) + " = " + shown + ": must be " + std::string(accepted));
 }
 

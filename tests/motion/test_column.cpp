@@ -333,6 +333,19 @@ TEST_CASE("Under gravity a bead comes to rest where its weight is carried", "[co
   CHECK(r.energy.total() == Approx(mass * 9.81 * 1e-7).epsilon(1e-5));  // m g gap at the start
 }
 
+TEST_CASE("The event-driven column follows gaps that change their rate between collisions", "[column]") {
+  // Equal elastic beads swap velocities; by hand, (v1, v2, v3) and the gaps (plate, 2, 3) after each collision:
+  // t = 0: (2, 0, -1), (10, 2, 4) | 1: (0, 2, -1), (12, 0, 3) | 2: (0, -1, 2), (12, 2, 0) | 4: (-1, 0, 2), (12, 0, 6)
+  // | 16, with the plate: (1, 0, 2), (0, 12, 30) | 28: (0, 1, 2), which is the end.
+  const EventDrivenResult out = event_driven_column({{3, 3, 3}, {10, 2, 4}, {2, 0, -1}}, 1);
+  CHECK(out.status == EventDrivenResult::Status::separated);
+  CHECK(out.collisions == 5);
+  CHECK(out.time == Approx(28).epsilon(1e-14));
+  CHECK(out.velocity[0] == Approx(0).margin(1e-14));
+  CHECK(out.velocity[1] == Approx(1).epsilon(1e-14));
+  CHECK(out.velocity[2] == Approx(2).epsilon(1e-14));
+}
+
 TEST_CASE("The event-driven column conserves what it must and reports collapse", "[column]") {
   Column elastic = equal_column(5, mass, 1e-3, velocity);
   CHECK(event_driven_column(elastic, 1).energy_ratio == Approx(1).epsilon(1e-12));

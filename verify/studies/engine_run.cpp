@@ -123,9 +123,9 @@ Trajectory read_dump(const std::string& text, const Encounter& pair, double step
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("ITEM: TIMESTEP")) lines >> number;
     if (!line.starts_with("ITEM: ATOMS")) continue;
-    double id, x[2], v[2], f[2];
+    double id = 0, x[2]{}, v[2]{}, f[2]{};
     for (int i = 0; i < 2; ++i) lines >> id >> x[i] >> v[i] >> f[i];
-    trajectory.push_back({number * step, 2 * pair.radius - (x[1] - x[0]), v[0] - v[1], f[1]});
+    trajectory.push_back({static_cast<double>(number) * step, 2 * pair.radius - (x[1] - x[0]), v[0] - v[1], f[1]});
   }
   return trajectory;
 }
@@ -161,7 +161,7 @@ std::string yade_script(const Encounter& pair, const std::vector<double>& steps)
 Trajectory read_columns(const std::string& text) {
   Trajectory trajectory;
   std::istringstream lines(text);
-  for (Instant at; lines >> at.time >> at.overlap >> at.rate >> at.force;) trajectory.push_back(at);
+  for (Instant at{}; lines >> at.time >> at.overlap >> at.rate >> at.force;) trajectory.push_back(at);
   return trajectory;
 }
 
@@ -192,6 +192,7 @@ void run_in(const ScratchFolder& folder, const std::string& command, const char*
   const std::string line = "cd '" + folder.path().string() +
                            "' && QT_QPA_PLATFORM=offscreen OMPI_MCA_ess_singleton_isolated=1 " + command +
                            " >log 2>&1 </dev/null";
+  // NOLINTNEXTLINE(cert-env33-c): the engines are commands; every word of the line is ours.
   if (std::system(line.c_str()) != 0) throw console::Failed(std::string(what) + ": " + last_words(folder.read("log")));
 }
 

@@ -87,6 +87,7 @@ Ran gnuplot(const std::string& script, const std::string& folder) {
   std::array<char*, 2> arguments{name.data(), nullptr};
   std::vector<std::string> variables = utf8_environment();
   std::vector<char*> environment;
+  environment.reserve(variables.size() + 1);
   for (std::string& variable : variables) environment.push_back(variable.data());
   environment.push_back(nullptr);
   pid_t child = 0;
@@ -149,7 +150,7 @@ std::string draw(const Figure& figure, const std::string& folder) {
   if (error) throw BadInput(folder + ": cannot make the folder: " + error.message());
   for (const DataFile& data : figure.data) write_atomically(folder + "/" + data.name, data.bytes);
   const std::string stem = folder + "/" + figure.name;
-  const std::string svg = vector_picture(figure, folder);
+  std::string svg = vector_picture(figure, folder);
   write_atomically(stem + ".svg", svg);
   write_atomically(stem + ".png", picture(figure, "pngcairo font 'sans,11' background rgb 'white'", folder));
   return svg;

@@ -39,9 +39,11 @@ double skin_of(const ClusterSetup& setup, const ClusterOptions& options) {
 // The best kernel that FractionalArms can carry: the tolerance gives way tenfold until its arms suffice.
 MemoryKernel affordable_kernel(double alpha, const ClusterOptions& o) {
   const double shortest = 0.5 * o.step, longest = o.longest_contact > 0 ? o.longest_contact : 1e4 * o.step;
-  for (double tolerance = o.kernel_tolerance;; tolerance *= 10) {
+  double tolerance = o.kernel_tolerance;
+  while (true) {
     MemoryKernel kernel = memory_kernel(alpha, shortest, std::max(longest, shortest), tolerance);
     if (kernel.arms().size() <= FractionalArms::max_arms) return kernel;
+    tolerance *= 10;
   }
 }
 
@@ -61,7 +63,7 @@ Cluster::Model Cluster::prepare_model(const Interaction& interaction) const {
     arms->advance(memory, {0, 0}, {0, 1}, h);
     gain = arms->force({0, 1}, memory);
   }
-  return {std::move(law), interaction.friction, interaction.end, gain};
+  return {law, interaction.friction, interaction.end, gain};
 }
 
 Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)

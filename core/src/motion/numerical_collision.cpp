@@ -172,6 +172,7 @@ template Collision follow(const TsujiMotion&, const CollideOptions&);
 namespace {
 
 /// ζ'' = −force of the law as engines run it, its memory fixed while one branch lasts.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): a Hysteretic without parameters cannot be made.
 struct HystereticMotion {
   using State = std::array<double, 3>;
 
