@@ -39,7 +39,7 @@ struct Values {
 };
 
 void append(std::string& out, double value) {
-  std::array<char, 32> digits;
+  std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   out.append(digits.data(), end);
 }

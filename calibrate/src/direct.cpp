@@ -18,9 +18,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// How much more than the target a group loses; counts the collisions.
 struct Losses {
-  LawName law;
-  ContactEnd end;
-  double target;  // −ln e_n
+  LawName law = LawName::linear;
+  ContactEnd end = ContactEnd::force;
+  double target = 0;  // −ln e_n
   std::size_t evaluations = 0;
 
   /// ln(loss/target), which is close to linear in the logarithm of the group; positive where the bodies do not part.
@@ -45,7 +45,7 @@ bool bracket(Losses& losses, double guess, double& low, double& high, double& at
 
 std::optional<Solution> solve_for_group(LawName law, ContactEnd end, double en) {
   Losses losses{law, end, -std::log(en)};
-  double low, high, at_low, at_high;
+  double low = 0, high = 0, at_low = 0, at_high = 0;
   // Where little is lost the loss is proportional to the group, so its logarithm is the guess.
   if (!bracket(losses, std::log(losses.target), low, high, at_low, at_high)) return std::nullopt;
   std::uintmax_t trials = 200;
