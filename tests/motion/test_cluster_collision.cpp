@@ -180,8 +180,8 @@ TEST_CASE("the work of a constant force on a free sphere is its kinetic energy, 
 
 TEST_CASE("it does not matter where in a step a repulsive force ends") {
   // e_n is wrong by E/n² at n steps a contact. While n grows by one, the end moves once through a step: E may change by
-  // terms of third order alone, some units over n. A force that were cut off beside its zero would show as jumps of E by
-  // up to ½ (h/2)² R'/(m v) n² = c t_col/(8 m) or more: 0.17 here.
+  // terms of third order alone, some units over n. A force cut off half a step beside its zero, where R' = kζ', would make
+  // E jump by ½ (h/2)² k e_n/m n² = k t_col² e_n/(8 m): 0.46 here.
   const double n0 = 200, v0 = 0.5, r = 1.5e-3;
   const Linear law(5211.5, 0.098);
   const Collision exact = collide(law, {v0, mass_eff});
