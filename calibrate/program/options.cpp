@@ -18,7 +18,7 @@ std::string spelled(const std::vector<std::string>& names) {
 }
 
 /// An option that takes one of `names`; a message names flag, value and choices.
-void add_choice(CLI::App& app, const std::string& flag, std::string& target, std::vector<std::string> names,
+void add_choice(CLI::App& app, const std::string& flag, std::string& target, const std::vector<std::string>& names,
                 const std::string& description) {
   const std::string list = spelled(names);
   const auto read = [&target, flag, list, names](const std::string& value) {

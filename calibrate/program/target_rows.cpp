@@ -39,7 +39,7 @@ struct Values {
 };
 
 void append(std::string& out, double value) {
-  std::array<char, 32> digits;
+  std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   out.append(digits.data(), end);
 }
@@ -66,7 +66,7 @@ std::string take_header(console::LineBlocks& source, console::LineBlocks::Block&
     std::string_view text = block.text;
     if (block.first_line == 1 && text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     for (line_number = block.first_line; !text.empty(); ++line_number) {
-      const std::string line(console::take_line(text));
+      std::string line(console::take_line(text));
       if (console::is_csv_remark(line)) continue;
       block.text = std::string(text);
       block.first_line = line_number + 1;

@@ -87,7 +87,7 @@ console::Exit run_targets(const Options& options) {
   console::Progress progress("calibrate", source.size());
   Complaints complaints;
   // Rounds of a few blocks a thread: reading and writing take a small share of the time that the rows do.
-  const std::size_t round = 4 * threads;
+  const std::size_t round = std::size_t{4} * threads;
   for (bool more = true; more;) {
     while (more && blocks.size() < round) {
       LineBlocks::Block block;

@@ -16,7 +16,7 @@ struct MercuryDpm {
            "--end overlap to meet the target.";
   }
 
-  std::vector<std::string> species(const std::string& of, std::vector<std::string> settings) const {
+  std::vector<std::string> species(const std::string& of, const std::vector<std::string>& settings) const {
     std::vector<std::string> lines{"auto species = speciesHandler.copyAndAddObject(" + of + "());"};
     if (what.density) lines.push_back("species->setDensity(" + number(*what.density) + ");");
     for (const std::string& s : settings) lines.push_back("species->" + s + ";");

@@ -103,7 +103,7 @@ void minimise(Residuals& residuals, const Box& box) {
   optimizer.set_upper_bounds({high.begin(), high.end()});
   optimizer.set_ftol_rel(1e-10);
   optimizer.set_maxeval(100);
-  double value;
+  double value = 0;
   try {
     optimizer.optimize(x, value);
   } catch (const std::runtime_error&) {  // rounding is all that is left; the best point counts

@@ -56,9 +56,9 @@ class Base : public FitModel {
   }
   std::vector<VectorXd> starts(double velocity, double tcol) const override {
     std::vector<VectorXd> all;
-    for (double loss = -6; loss <= std::min(2.0, greatest_loss()); loss += 0.5) {
+    for (int i = -12; i <= 4 && 0.5 * i <= greatest_loss(); ++i) {
       VectorXd u(unknowns());
-      u[0] = loss;
+      u[0] = 0.5 * i;
       if (with_times_) {
         // t_col ∝ k^{−1/time_power}: from the time that k = 1 gives to the typical one.
         u[1] = 0;
@@ -199,9 +199,9 @@ class SpeedModel : public FitModel {
   }
   std::vector<VectorXd> starts(double velocity, double tcol) const override {
     std::vector<VectorXd> all;
-    for (double logit = -5; logit <= 3; logit += 0.5)
+    for (int i = -10; i <= 6; ++i)
       for (const double slope : {-0.5, -0.2, 0.05, 0.2, 0.5}) {
-        const double at_one = logit - slope * std::log(velocity);
+        const double at_one = 0.5 * i - slope * std::log(velocity);
         if (!with_times_) {
           all.push_back(vector({at_one, slope}));
           continue;

@@ -98,7 +98,7 @@ void run(Problem& problem, nlopt::algorithm algorithm, double step, double goal)
   optimizer.set_maxeval(400);
   optimizer.set_initial_step(step);
   std::vector<double> x(problem.best().begin(), problem.best().begin() + problem.unknowns());
-  double f;
+  double f = 0;
   try {
     optimizer.optimize(x, f);
   } catch (const nlopt::roundoff_limited&) {

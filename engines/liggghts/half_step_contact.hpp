@@ -42,7 +42,7 @@ class HalfStepContact {
   static bool continues(const double* history, double step) noexcept { return history[stamp] == step; }
   static bool is_at(const double* history, double step) noexcept { return history[stamp] == step + 1; }
 
-  /// Steps the contact to the end of step number `step`, ζ = `now` [m] > 0, ζ' = `half_step_rate` half a step before.
+  /// Steps the contact to the end of step number `step` ≥ 1, ζ = `now` [m] > 0, ζ' = `half_step_rate` half a step before.
   /// A history that was not touched in the step before is stale (the grains have been apart) and starts anew.
   void advance(double* history, double step, double now, double half_step_rate, double dt) const noexcept;
 
@@ -53,7 +53,8 @@ class HalfStepContact {
   double stored_energy(const double* history) const noexcept;
   /// Energy lost [m² s^{−α}] over the step of length dt between two states of one contact, per unit coefficient: what
   /// the dashpots burn, by the trapezoid; what the springs still hold when repulsion ends is lost there. The work of
-  /// the repulsion is this plus the change of stored_energy, to second order.
+  /// the repulsion is this plus the change of stored_energy, to order 2 − α over a contact (the power starts as
+  /// (t − t_b)^{1−α}).
   double dissipated_energy(const double* before, const double* after, double dt) const noexcept;
 
  private:

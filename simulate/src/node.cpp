@@ -27,7 +27,7 @@ Node Node::child(const std::string& step, const Json& json) const {
 
 void Node::reject(std::string_view accepted) const {
   std::string shown = json_->dump();
-  if (shown.size() > 60) shown = shown.substr(0, 57) + "...";
+  if (shown.size() > 60) shown.replace(57, std::string::npos, "...");
   throw BadInput(place() + " = " + shown + ": must be " + std::string(accepted));
 }
 

@@ -236,6 +236,34 @@ TEST_CASE("errors and correlations are those of a parametric bootstrap") {
   CHECK(correlation == Approx(rho).margin(4 * (1 - rho * rho) / std::sqrt(samples)));
 }
 
+TEST_CASE("a fit of one number is judged by the textbook's formulas") {
+  // The linear law's restitution is one number at every speed, so its fit is the mean of the data. By hand, of three:
+  const std::vector<double> en{0.7, 0.72, 0.77};
+  const double mean = 0.73, squares = 0.03 * 0.03 + 0.01 * 0.01 + 0.04 * 0.04;
+  const auto fitted = [&](double sigma) {
+    std::vector<Measurement> data;
+    for (std::size_t i = 0; i < en.size(); ++i) data.push_back({0.1 * static_cast<double>(i + 1), en[i], sigma});
+    return fit_law({LawName::linear, ContactEnd::overlap, mass}, data);
+  };
+  const double beta = damping_of_restitution(mean, ContactEnd::overlap);
+  const double slope = (restitution_of_damping(beta + 1e-6, ContactEnd::overlap) -
+                        restitution_of_damping(beta - 1e-6, ContactEnd::overlap)) / 2e-6;
+
+  const double sigma = 0.03, chi2 = squares / (sigma * sigma);
+  const Fit weighted = fitted(sigma);
+  CHECK(weighted.parameters[0].value == Approx(beta).epsilon(1e-6));
+  CHECK(weighted.parameters[0].error == Approx(sigma / std::sqrt(3.0) / std::abs(slope)).epsilon(1e-5));
+  CHECK(weighted.chi2 == Approx(chi2).epsilon(1e-8));
+  CHECK(weighted.freedom == 2);
+  CHECK(weighted.aic == Approx(chi2 + 2).epsilon(1e-8));
+  CHECK(weighted.probability == Approx(std::exp(-chi2 / 2)).epsilon(1e-8));  // of two degrees of freedom
+
+  const Fit plain = fitted(0);  // σ² = Σ/(n − 1)
+  CHECK(plain.parameters[0].error == Approx(std::sqrt(squares / 2 / 3) / std::abs(slope)).epsilon(1e-5));
+  CHECK(plain.aic == Approx(3 * std::log(squares / 3) + 4).epsilon(1e-8));
+  CHECK(plain.probability == 1);
+}
+
 TEST_CASE("a fit names what it cannot use") {
   const FitRequest request{LawName::linear, ContactEnd::force, mass};
   CHECK_THROWS_WITH(fit_law(request, {}), "measurements = 0: must be at least 1");

@@ -105,6 +105,65 @@ TEST_CASE("pure spin slows at the rate of the full torque") {
   CHECK(norm(s.motion.slip) == 0);
 }
 
+TEST_CASE("a slide ever so small against the spin dies as the power of the spin that the disc integrals give") {
+  // To first order in λ = u/(aΩ) the direction of motion at (ρ, φ) has the sliding component λ sin²φ/ρ:
+  // F = (1/π)∫∫ λ sin²φ dρ dφ = λ, and 𝒯 = (1/π)∫∫ ρ² dρ dφ = 2/3. With y = aΩ, α = μN/m, β = μN a²/J:
+  // du/dt = −α u/y, dy/dt = −(2/3)β, hence u/u₀ = (y/y₀)^{3α/(2β)}.
+  const Friction friction(0.5, 0.5, 0);
+  const double a = 0.2, alpha = 0.5 * 1.2, beta = 0.5 * a * a * 20, y0 = a * 4, u0 = 1e-16 * y0;
+  const auto start = [&] {
+    Slider s;
+    s.problem.contact_radius = a;
+    s.problem.mobility = {1.2, 0.0, 20.0};
+    s.motion.spin = y0 / a;
+    s.motion.slip = {0.6 * u0, -0.8 * u0, 0};
+    return s;
+  };
+  Slider once = start();  // one midpoint step: u_m = u₀ − (α/2) u_m/y_m, y_m = y₀ − β/3
+  once.step(friction, 1, 1);
+  const double impulse = -0.5 * u0 / (y0 - beta / 3 + alpha / 2);
+  CHECK(once.last.impulse.sliding.x == Approx(0.6 * impulse).epsilon(1e-14));
+  CHECK(once.last.impulse.sliding.y == Approx(-0.8 * impulse).epsilon(1e-14));
+  CHECK(once.last.impulse.torsion == Approx(-2.0 / 3 * 0.5 * a).epsilon(1e-14));
+
+  const double exact = u0 * std::pow((y0 - 2.0 / 3 * beta) / y0, 1.5 * alpha / beta);
+  const auto error = [&](int steps) {
+    Slider s = start();
+    for (int n = 0; n < steps; ++n) s.step(friction, 1, 1.0 / steps);
+    return std::abs(norm(s.motion.slip) - exact);
+  };
+  CHECK(std::log2(error(32) / error(64)) == Approx(2).margin(0.1));
+  CHECK(error(4096) < 1e-6 * exact);
+}
+
+TEST_CASE("a spin ever so small against the slide decays as the disc integrals give") {
+  // To first order in 1/λ: 𝒯 = (1/π)∫∫ (ρ cos φ)²/λ ρ dρ dφ = 1/(4λ), F = 1. So dy/dt = −(β/4) y/u, du/dt = −α, and
+  // y/y₀ = (u/u₀)^{β/(4α)}.
+  const Friction friction(0.5, 0.5, 0);
+  const double a = 0.2, alpha = 0.5 * 1.2, beta = 0.5 * a * a * 20, u0 = 0.9, y0 = 1e-16 * u0;
+  const auto start = [&] {
+    Slider s;
+    s.problem.contact_radius = a;
+    s.problem.mobility = {1.2, 0.0, 20.0};
+    s.motion.spin = -y0 / a;
+    s.motion.slip = {0, u0, 0};
+    return s;
+  };
+  Slider once = start();  // one midpoint step: y_m = y₀ − (β/2) y_m/(4u_m), u_m = u₀ − α/2
+  once.step(friction, 1, 1);
+  CHECK(once.last.impulse.sliding.y == Approx(-0.5).epsilon(1e-14));
+  CHECK(once.last.impulse.torsion == Approx(0.5 * a * 0.25 * y0 / (u0 - alpha / 2 + beta / 8)).epsilon(1e-14));
+
+  const double exact = y0 * std::pow((u0 - alpha) / u0, 0.25 * beta / alpha);
+  const auto error = [&](int steps) {
+    Slider s = start();
+    for (int n = 0; n < steps; ++n) s.step(friction, 1, 1.0 / steps);
+    return std::abs(-a * s.motion.spin - exact);
+  };
+  CHECK(std::log2(error(32) / error(64)) == Approx(2).margin(0.1));
+  CHECK(error(4096) < 1e-6 * exact);
+}
+
 TEST_CASE("a disc ends sliding and spinning together, at the ratio of Farkas et al.") {
   // Uniform disc on its face: J = m a²/2. The ratio tends to the root of F/(λ𝒯) = m a²/J = 2, which is 0.653
   // (Phys. Rev. Lett. 90, 248302), from whichever side.

@@ -124,6 +124,57 @@ TEST_CASE("down a slope a sphere rolls with (5/7) g sin, slides with g (sin - mu
   CHECK(acceleration(steep) == Approx(g * (std::sin(steep) - mu * std::cos(steep))).epsilon(1e-5));
 }
 
+TEST_CASE("a contact that sticks has no slip at the end of a step, though its arms and its normal change within") {
+  // Impulses pass in the middle of a step, where the geometry is known; what the slip gains from there to the end is
+  // foreseen to first order. So the slip left at the end is of second order in the step, of first order without.
+  struct Scene {
+    ClusterSetup setup;
+    double duration;
+  };
+  const auto bouncing_on_a_wall = [] {
+    Incline plane(0, Friction(5, 5, 0, 0), 60);  // soft: the overlap is 0.03 r to 0.08 r
+    Sphere& s = plane.setup.spheres[0];
+    s.velocity = {0.2, 0, 0.004};
+    const double arm = r - 0.5 * (r - s.position.z);
+    s.spin = {0, 0.2 / arm, 0};
+    return Scene{plane.setup, 0.02};
+  };
+  const auto rolling_on_each_other = [] {
+    // Gears of unequal size that meet: no slip at the touch, then the overlap and the direction change.
+    ClusterSetup setup = with_law(Linear(1000, 0), Friction(5, 5, 0, 0));
+    setup.spheres.push_back({r, density, {}, {}, {0, 0, 30}, 0});
+    const double small = 0.6 * r, speed = 0.3;
+    const Vec3 along{0, r * 30 + small * 30, 0};
+    setup.spheres.push_back({small, density, {r + small + 1e-9, 0, 0}, along + Vec3{-speed, 0, 0}, {0, 0, 30}, 0});
+    return Scene{setup, 0.004};
+  };
+  const auto slip_left = [](const Scene& scene, int steps) {
+    const auto& spheres = scene.setup.spheres;
+    const bool wall = spheres.size() == 1;
+    Cluster cluster(scene.setup, {.step = scene.duration / steps});
+    double worst = 0;
+    int looked_at = 0;
+    for (int n = 0; n < steps; ++n) {
+      cluster.step();
+      const ContactGeometry g =
+          wall ? sphere_wall(cluster.position(0), r, {}, {0, 0, 1})
+               : sphere_sphere(cluster.position(0), spheres[0].radius, cluster.position(1), spheres[1].radius);
+      if (g.overlap < 1e-4) continue;  // a collision's first and last touch is too light to hold anything
+      const Vec3 v = cluster.velocity(0) - (wall ? Vec3{} : cluster.velocity(1));
+      const Vec3 w = g.arm_i * cluster.spin(0) + (wall ? Vec3{} : g.arm_j * cluster.spin(1));
+      worst = std::max(worst, norm(tangential(v, g.normal) + cross(w, g.normal)));
+      ++looked_at;
+    }
+    REQUIRE(looked_at > steps / 2);
+    return worst;
+  };
+  for (const Scene& scene : {bouncing_on_a_wall(), rolling_on_each_other()}) {
+    const double coarse = slip_left(scene, 200), fine = slip_left(scene, 800);
+    CAPTURE(scene.setup.spheres.size(), coarse, fine);
+    CHECK(std::log2(coarse / fine) / 2 == Approx(2).margin(0.25));
+  }
+}
+
 TEST_CASE("nothing chatters: a sphere that comes to rest has a slip that only falls, then is zero") {
   Incline plane(0, Friction(0.4, 0.2, 3, 1), 500);
   plane.setup.spheres[0].velocity = {0.3, 0, 0};

@@ -54,7 +54,7 @@ std::string libraries() {
 /// Now, or the time that reproducible builds set.
 std::string timestamp() {
   const char* fixed = std::getenv("SOURCE_DATE_EPOCH");
-  const std::time_t now = fixed ? static_cast<std::time_t>(std::atoll(fixed)) : std::time(nullptr);
+  const std::time_t now = fixed ? static_cast<std::time_t>(std::strtoll(fixed, nullptr, 10)) : std::time(nullptr);
   std::tm parts{};
   ::gmtime_r(&now, &parts);
   char text[32];

@@ -12,7 +12,6 @@ namespace {
 
 using cluster::Overlap;
 using cluster::Run;
-using console::Column;
 using console::Json;
 using console::Notation;
 using console::Table;

@@ -100,9 +100,9 @@ Trajectory read_dump(const std::string& text, const Encounter& pair, double step
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("ITEM: TIMESTEP")) lines >> number;
     if (!line.starts_with("ITEM: ATOMS")) continue;
-    double id, x[2], v[2], f[2];
+    double id = 0, x[2]{}, v[2]{}, f[2]{};
     for (int i = 0; i < 2; ++i) lines >> id >> x[i] >> v[i] >> f[i];
-    trajectory.push_back({number * step, 2 * pair.radius - (x[1] - x[0]), v[0] - v[1], f[1]});
+    trajectory.push_back({static_cast<double>(number) * step, 2 * pair.radius - (x[1] - x[0]), v[0] - v[1], f[1]});
   }
   return trajectory;
 }
@@ -139,7 +139,7 @@ Trajectory read_columns(const std::string& text) {
   Trajectory trajectory;
   std::istringstream lines(text);
   lines.imbue(std::locale::classic());
-  for (Instant at; lines >> at.time >> at.overlap >> at.rate >> at.force;) trajectory.push_back(at);
+  for (Instant at{}; lines >> at.time >> at.overlap >> at.rate >> at.force;) trajectory.push_back(at);
   return trajectory;
 }
 

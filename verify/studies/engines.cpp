@@ -18,7 +18,6 @@ namespace ricochet::verify {
 namespace {
 
 using calibration::Engine;
-using console::Column;
 using console::Json;
 using console::Notation;
 using console::shortest;
@@ -83,7 +82,7 @@ Trajectory repeat_stepping(const Law& law, ContactEnd end, double step) {
   for (long n = 0; n <= std::lround(pair.duration / step); ++n) {
     double force = overlap > 0 ? law.force({overlap, rate}, {}) : 0;
     if (end == ContactEnd::force) force = std::max(0.0, force);
-    path.push_back({n * step, overlap, rate, force});
+    path.push_back({static_cast<double>(n) * step, overlap, rate, force});
     rate -= force / pair.mass_eff() * step;
     overlap += rate * step;
   }

@@ -119,6 +119,7 @@ console::Figure figure(const std::string& name, const std::string& caption, cons
 
 std::vector<TracePoint> points_of(const std::vector<FractionalState>& path) {
   std::vector<TracePoint> points;
+  points.reserve(path.size());
   for (const FractionalState& s : path) points.push_back({s.time, s.overlap, s.rate, s.force});
   return points;
 }

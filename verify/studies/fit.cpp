@@ -16,7 +16,6 @@ namespace ricochet::verify {
 namespace {
 
 using calibration::Fit;
-using calibration::FitRequest;
 using calibration::LawName;
 using calibration::Measurement;
 using console::Table;

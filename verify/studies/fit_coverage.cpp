@@ -79,6 +79,7 @@ std::vector<Coverage> coverage_of(const CoverageCase& one, int trials) {
   const auto exact = exact_data(one);
   const auto truth = true_parameters(one);
   std::vector<Coverage> found;
+  found.reserve(truth.size());
   for (const double value : truth) found.push_back({one.request, one.with_times, "", value, 0, 0});
   for (int trial = 0; trial < trials; ++trial) {
     auto data = exact;

@@ -10,7 +10,7 @@ namespace ricochet::verify {
 /// How often a parameter's 95 % interval, value ± 1.96 standard errors, held the truth.
 struct Coverage {
   calibration::FitRequest request;
-  bool with_times;
+  bool with_times = false;
   std::string parameter;
   double truth;
   double relative_error;  ///< the stated standard error over the value, on average
@@ -21,7 +21,7 @@ struct Coverage {
 /// e_n, 2 % in t_col), fitted `trials` times. The law's collisions are `collide`'s, not the fit's own forward model.
 struct CoverageCase {
   calibration::FitRequest request;
-  bool with_times;
+  bool with_times = false;
 };
 
 std::vector<CoverageCase> coverage_cases();

@@ -25,6 +25,7 @@ Convergence graded(bool l1, double alpha, bool restored) {
   for (std::size_t n = 16; n <= 1024; n *= 2) {
     const std::vector<double> times = graded_mesh(1, n, grading);
     std::vector<double> x;
+    x.reserve(times.size());
     for (const double t : times) x.push_back(l1 ? std::pow(t, 1.5) : 1.5 * std::sqrt(t));
     double worst = 0;
     for (std::size_t m = 1; m <= n; ++m) {

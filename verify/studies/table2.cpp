@@ -17,7 +17,6 @@ using calibration::Calibration;
 using calibration::LawName;
 using calibration::Parameter;
 using calibration::text;
-using console::Column;
 using console::Json;
 using console::Notation;
 using console::Table;

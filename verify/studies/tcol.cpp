@@ -11,7 +11,6 @@ namespace ricochet::verify {
 
 namespace {
 
-using console::Column;
 using console::Notation;
 using console::Table;
 

@@ -27,14 +27,14 @@ inline constexpr const char* range_of_scales = "in [1e-30, 1e30]";
 
 /// What the collision shall do.
 struct Target {
-  double tcol;    ///< [s], > 0
-  double en;      ///< in (0, 1]
-  Impact impact;  ///< the velocity and effective mass it shall do it at
+  double tcol = 0;  ///< [s], > 0
+  double en = 0;    ///< in (0, 1]
+  Impact impact;    ///< the velocity and effective mass it shall do it at
 };
 
 struct Request {
-  LawName law;
-  ContactEnd end;
+  LawName law = LawName::linear;
+  ContactEnd end = ContactEnd::force;
   Target target;
   std::optional<double> stiffness = {};  ///< fractional: the k to hold [kg/s²]; default: linear's, ended by force
 };

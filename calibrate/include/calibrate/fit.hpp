@@ -10,8 +10,8 @@ namespace ricochet::calibration {
 
 /// One measured impact; numbers in [1e-30, 1e30]. Standard errors 0: not known (then of all, and without collision times).
 struct Measurement {
-  double velocity;        ///< [m/s], > 0
-  double en;              ///< in (0, 1]
+  double velocity = 0;    ///< [m/s], > 0
+  double en = 0;          ///< in (0, 1]
   double en_sigma = 0;    ///< > 0 or not known
   double tcol = 0;        ///< [s], > 0 or not measured
   double tcol_sigma = 0;  ///< [s], > 0 where tcol is

@@ -39,7 +39,8 @@ struct Coefficients {
   Series small{}, large{}, torque{};
 
   constexpr Coefficients() {
-    std::array<double, terms + 2> k{}, e{};
+    constexpr std::size_t known = terms + 2;
+    std::array<double, known> k{}, e{};
     k[0] = e[0] = 1;
     for (std::size_t n = 1; n < k.size(); ++n) {
       const double ratio = (2.0 * double(n) - 1) / (2.0 * double(n));

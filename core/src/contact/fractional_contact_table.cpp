@@ -21,9 +21,11 @@ struct FractionalContactTable::Panels {
   std::vector<HalfOctave> panels;
 
   Panels() {
-    for (double high = 1; high > least_en; high /= 2) {
+    double high = 1;
+    while (high > least_en) {
       panels.push_back(half_octave(high / std::numbers::sqrt2, high));
       panels.push_back(half_octave(high / 2, high / std::numbers::sqrt2));
+      high /= 2;
     }
   }
 

@@ -1,6 +1,8 @@
 #include <ricochet/contact/any_law.hpp>
 #include <ricochet/detail/require.hpp>
 
+#include <array>
+
 namespace ricochet {
 
 using detail::require;
@@ -37,8 +39,16 @@ Fractional::Fractional(double k, double c, double alpha)
   require(std::isfinite(alpha) && alpha < 2, "alpha", alpha, "finite and < 2");
 }
 
-std::string_view name(const AnyLaw& law) noexcept {
-  return std::visit([](const auto& l) { return l.name; }, law);
+namespace {
+
+template <class... Laws>
+std::string_view name_of(const std::variant<Laws...>& law) noexcept {
+  constexpr std::array<std::string_view, sizeof...(Laws)> names{Laws::name...};
+  return names[law.index()];
 }
+
+}  // namespace
+
+std::string_view name(const AnyLaw& law) noexcept { return name_of(law); }
 
 }  // namespace ricochet

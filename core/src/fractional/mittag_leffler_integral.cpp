@@ -24,6 +24,7 @@ Form Form::choose(double a, double b, double x) {
   return form;
 }
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the rows' first size_ entries are ever read.
 Nodes::Nodes(const HankelContour& contour, HankelContour::Grid grid, double a, double b, Form form)
     : size_(contour.size()), form_(form) {
   const ContourNodes& nodes = contour.nodes(grid);

@@ -26,17 +26,23 @@ PreparedMittagLeffler::PreparedMittagLeffler(double a, double b)
 
 void PreparedMittagLeffler::prepare_near() {
   const auto f = [&](double x) { return by_contour(x, Poles::Count::rest); };
-  for (double low = near; low < top; low += width) near_panels_.emplace_back(f, low, low + width);
+  double low = near;
+  while (low < top) {
+    near_panels_.emplace_back(f, low, low + width);
+    low += width;
+  }
 }
 
 void PreparedMittagLeffler::prepare_far() {
   const auto f = [&](double z) { return by_contour(-z, Poles::Count::rest_less_one); };
   // From |x|^{1/a} = 40 + 2b on, 16 terms of the series with the best remainder polynomial are below 1e-17.
   far_ = std::min(1e6, std::pow(40 + 2 * b_, a_));
-  for (double low = -near; low < far_; low *= 2) {
+  double low = -near;
+  while (low < far_) {
     const double middle = low * std::numbers::sqrt2;
     far_panels_.emplace_back(f, low, middle);
     far_panels_.emplace_back(f, middle, 2 * low);
+    low *= 2;
   }
   if (far_ < 1e6) prepare_series();
 }
@@ -81,7 +87,7 @@ double PreparedMittagLeffler::rest(double x) const {
   }
   int octave = 0;
   const double mantissa = std::frexp(z / -near, &octave);  // z/16 = mantissa·2^octave, ½ ≤ mantissa < 1
-  return far_panels_[static_cast<std::size_t>(2 * (octave - 1) + (mantissa >= std::numbers::sqrt2 / 2))](z);
+  return far_panels_[2 * static_cast<std::size_t>(octave - 1) + (mantissa >= std::numbers::sqrt2 / 2 ? 1 : 0)](z);
 }
 
 double PreparedMittagLeffler::by_contour(double x, Poles::Count count) const {

@@ -41,7 +41,7 @@ class PreparedMittagLeffler {
   double a_, b_;
   std::unique_ptr<HankelContour> own_;
   const HankelContour& contour_;
-  std::array<double, 3> gamma_;  // 1/Γ(b − ka)
+  std::array<double, 3> gamma_{};  // 1/Γ(b − ka)
   std::vector<FormNodes> forms_;
   std::vector<Panel> near_panels_, far_panels_;
   std::optional<Panel> series_;

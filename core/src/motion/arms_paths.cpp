@@ -54,7 +54,7 @@ Path arms_path(const Mesh& mesh, const Exponentials& kernel, bool exact_impulse)
   for (std::size_t n = 1; !mesh.past(n); ++n) {
     const double h = n == 1 ? mesh.first : mesh.step, v = path.rate.back(), z = path.overlap.back();
     if (n == 2) steps = arm_steps(kernel, mesh.step);
-    double known, slope;
+    double known = 0, slope = 0;
     if (exact_impulse) {
       known = kernel.spring * (h * z + h * h * v / 3) + kernel.dashpot * 0.5 * h * v;
       slope = kernel.spring * h * h / 6 + kernel.dashpot * 0.5 * h;

@@ -65,7 +65,7 @@ Cluster::Model Cluster::prepare_model(const Interaction& interaction) {
     arms->advance(memory, {0, 0}, {0, 1}, h);
     gain = arms->force({0, 1}, memory);
   }
-  return {std::move(law), interaction.friction, interaction.end, gain};
+  return {law, interaction.friction, interaction.end, gain};
 }
 
 Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)

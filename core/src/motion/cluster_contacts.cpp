@@ -179,7 +179,7 @@ void Cluster::drop_separated() {
     const ContactGeometry g = geometry(contacts[k].record.i, contacts[k].record.j);
     if (g.overlap > 0) {
       rows_[kept].geometry = g;
-      if (kept != k) contacts[kept] = std::move(contacts[k]);
+      if (kept != k) contacts[kept] = contacts[k];
       ++kept;
     } else {
       finish(contacts[k], g);

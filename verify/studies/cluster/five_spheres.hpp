@@ -11,7 +11,7 @@ namespace ricochet::verify::cluster {
 ClusterSetup five_spheres(double alpha, double k);
 
 struct Sample {
-  double time;
+  double time = 0;
   std::array<Vec3, 5> position, velocity, spin;
 };
 

@@ -22,7 +22,7 @@ ColumnResult run(const AnyLaw& plate, const AnyLaw& pair, std::size_t beads, con
   const double contacts = c.memory_contacts > 0 ? c.memory_contacts : 20.0 + static_cast<double>(beads);
   options.longest_memory = c.tcol * std::min(1e5 / c.steps, contacts);
   options.memory_tolerance = c.memory_tolerance;
-  const ColumnResult result = run_column(equal_column(beads, bead_mass, c.gap, -fall_velocity), plate, pair, options);
+  ColumnResult result = run_column(equal_column(beads, bead_mass, c.gap, -fall_velocity), plate, pair, options);
   if (result.end == ColumnEnd::broke_down)
     throw console::Failed("column of " + std::to_string(beads) + " beads, " + id + ": the motion broke down; more steps a contact are needed");
   if (result.end == ColumnEnd::out_of_time)

@@ -29,7 +29,7 @@ class LineBlocks {
   static constexpr std::size_t longest_line = 1 << 20;  ///< bytes
 
   /// "-" is standard input. Throws BadInput naming path and reason when the file cannot be opened, or is a directory.
-  explicit LineBlocks(std::string path, std::size_t block_size = 256 * 1024);
+  explicit LineBlocks(std::string path, std::size_t block_size = 1 << 18);
   ~LineBlocks();
   LineBlocks(const LineBlocks&) = delete;
   LineBlocks& operator=(const LineBlocks&) = delete;

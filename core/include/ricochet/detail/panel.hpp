@@ -60,7 +60,7 @@ class Panel {
     return sum * (k == 0 ? 1.0 : 2.0) / size;
   }
 
-  double centre_, scale_;
+  double centre_ = 0, scale_ = 0;
   Row c_{};
 };
 

@@ -9,8 +9,8 @@ namespace ricochet {
 /// The binary collision m ζ'' + R = 0, ζ(0) = 0, ζ'(0) = v₀ (47): two spheres of effective mass m = m₁m₂/(m₁+m₂), or
 /// one sphere of mass m on a wall.
 struct Impact {
-  double velocity;  ///< v₀ [m/s], > 0
-  double mass_eff;  ///< m [kg], > 0
+  double velocity = 0;  ///< v₀ [m/s], > 0
+  double mass_eff = 0;  ///< m [kg], > 0
 };
 
 enum class CollideMethod {
