@@ -94,9 +94,11 @@ std::optional<UnitLaw> unit_kuwabara_kono(double en) {
   std::uintmax_t trials = 200;
   const auto root = boost::math::tools::toms748_solve([&](double group) { return losses(group); }, low, high, at_low,
                                                       at_high, boost::math::tools::eps_tolerance<double>(), trials);
+  const double group = std::exp(root.first);
+  const auto out = collide(KuwabaraKono(1, group), {1, 1});
   // What brackets no root is the group past which no collision is followed.
-  if (std::abs(losses(root.first)) > 1e-9) return std::nullopt;
-  return found(std::exp(root.first), losses.collisions);
+  if (!out.separated() || std::abs(out.en - en) > 1e-9 * en) return std::nullopt;
+  return found(group, losses.collisions + 1);
 }
 
 /// t = (π/2) √(m/k₁) (1 + e), e = √(k₁/k₂).
