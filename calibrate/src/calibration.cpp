@@ -179,7 +179,10 @@ Outcome calibrate(const Request& request, const Settings& settings) {
                   .cross_method = by_search ? Method::direct : Method::nlopt,
                   .cross_difference = greatest_relative_difference(direct.law, found.law)};
   out.tcol_estimate = estimate(out.law, request.target.impact, request.end);
-  if (!hit) out.remarks.push_back(found.algorithm + " missed the tolerance; the direct solution is answered");
+  if (!hit)
+    out.remarks.push_back(settings.method == Method::nlopt
+                              ? found.algorithm + " missed the tolerance; the direct solution is answered"
+                              : "the cross-check by " + found.algorithm + " missed the tolerance");
   check(out, request, settings.tolerance);
   return out;
 }

@@ -210,4 +210,6 @@ TEST_CASE("where the search misses the tolerance the direct solution is answered
   for (const auto& c : all_cases)
     if (c.law != LawName::fractional || c.end != ContactEnd::overlap) by_direct(c, 0.002, {});
   for (const auto& c : all_cases) by_direct(c, 0.999999999999, {.algorithm = "LD_SLSQP"});
+  const auto asked = calibrated({LawName::hysteretic, ContactEnd::force}, 1e-4, 1e-9, {.method = Method::direct});
+  CHECK(asked.remarks.at(0) == "the cross-check by LN_BOBYQA missed the tolerance");
 }
