@@ -131,6 +131,16 @@ void check(Calibration& out, const Request& request, double tolerance) {
   out.en_residual = (out.achieved.en - en) / en;
 }
 
+/// The direct solution in the units of the target.
+std::variant<AnyLaw, Infeasible> of_target(const std::optional<Solution>& direct, const Request& request, double tolerance) {
+  if (!direct) return out_of_reach(request, tolerance);
+  const double held = held_stiffness(request);
+  const auto law = in_si(direct->law, request.target, held);
+  if (law && fits(request, direct->law, held, tolerance)) return *law;
+  const auto* fractional = std::get_if<Fractional>(&direct->law);
+  return fractional ? unfit_stiffness(request, *fractional, held) : out_of_reach(request, tolerance);
+}
+
 }  // namespace
 
 void require_request(const Request& request) {
@@ -147,26 +157,20 @@ void require_request(const Request& request) {
 }
 
 std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance) {
-  const auto direct = reduced(request, tolerance);
-  if (!direct) return out_of_reach(request, tolerance);
-  const double held = held_stiffness(request);
-  const auto law = in_si(direct->law, request.target, held);
-  if (law && fits(request, direct->law, held, tolerance)) return *law;
-  const auto* fractional = std::get_if<Fractional>(&direct->law);
-  return fractional ? unfit_stiffness(request, *fractional, held) : out_of_reach(request, tolerance);
+  return of_target(reduced(request, tolerance), request, tolerance);
 }
 
 Outcome calibrate(const Request& request, const Settings& settings) {
   require_request(request);
   require_settings(settings);
-  const auto law = calibrate_directly(request, settings.tolerance);
+  const auto direct = reduced(request, settings.tolerance);
+  const auto law = of_target(direct, request, settings.tolerance);
   if (const auto* missed = std::get_if<Infeasible>(&law)) return *missed;
-  const Solution direct = reduced(request, settings.tolerance).value();
   const Solution found = search(request.law, request.end, request.target.en, settings.algorithm, settings.tolerance);
   const auto found_law = in_si(found.law, request.target, held_stiffness(request));
   const bool hit = found_law && hits(found, request, settings.tolerance);
   const bool by_search = settings.method == Method::nlopt && hit;
-  const Solution& chosen = by_search ? found : direct;
+  const Solution& chosen = by_search ? found : direct.value();
   Calibration out{.law = by_search ? *found_law : std::get<AnyLaw>(law),
                   .end = request.end,
                   .achieved = {},
@@ -177,7 +181,7 @@ Outcome calibrate(const Request& request, const Settings& settings) {
                   .algorithm = chosen.algorithm,
                   .evaluations = chosen.evaluations,
                   .cross_method = by_search ? Method::direct : Method::nlopt,
-                  .cross_difference = greatest_relative_difference(direct.law, found.law)};
+                  .cross_difference = greatest_relative_difference(direct->law, found.law)};
   out.tcol_estimate = estimate(out.law, request.target.impact, request.end);
   if (!hit)
     out.remarks.push_back(settings.method == Method::nlopt

@@ -58,7 +58,7 @@ std::optional<AnyLaw> unit_linear(double en, ContactEnd end) {
 
 /// How much more than the target a Kuwabara-Kono group loses; counts the collisions.
 struct Losses {
-  double target;  // −ln e_n
+  double target = 0;  // −ln e_n
   std::size_t collisions = 0;
 
   /// ln(loss/target), which is close to linear in the logarithm of the group; positive where the bodies do not part.
@@ -88,7 +88,7 @@ std::optional<UnitLaw> unit_kuwabara_kono(double en) {
   };
   if (en == 1) return found(0, 0);
   Losses losses{-std::log(en)};
-  double low, high, at_low, at_high;
+  double low = 0, high = 0, at_low = 0, at_high = 0;
   // Where little is lost the loss is proportional to the group, so its logarithm is the guess.
   if (!bracket(losses, std::log(losses.target), low, high, at_low, at_high)) return std::nullopt;
   std::uintmax_t trials = 200;

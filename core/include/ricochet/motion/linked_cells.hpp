@@ -10,6 +10,7 @@ namespace ricochet {
 
 struct NearPair {
   std::uint32_t i, j;  ///< i < j
+  // NOLINTNEXTLINE(modernize-use-nullptr): seen in the code that clang 14 makes of it
   auto operator<=>(const NearPair&) const = default;
 };
 
