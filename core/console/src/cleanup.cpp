@@ -83,7 +83,7 @@ void catch_deadly() noexcept {
 
 // Entries as the system hands them out, without opendir(), which allocates.
 bool remove_some(int folder) noexcept {
-  alignas(dirent64) std::array<char, 4096> entries;
+  alignas(dirent64) std::array<char, 4096> entries{};
   bool removed = false;
   ::lseek(folder, 0, SEEK_SET);
   for (long n = 0; (n = ::syscall(SYS_getdents64, folder, entries.data(), entries.size())) > 0;)

@@ -63,7 +63,7 @@ std::string about_conversion(const CLI::App& app, const std::string& text) {
 }  // namespace
 
 std::string told(const CLI::App& app, const CLI::ParseError& error) {
-  const std::string text = error.what();
+  std::string text = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error)) return about_extras(app);
   if (dynamic_cast<const CLI::RequiredError*>(&error)) return about_missing(app, text);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return about_count(text);

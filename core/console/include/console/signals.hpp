@@ -18,7 +18,7 @@ class StopOnSignal {
   static int noted() noexcept;
 
  private:
-  std::array<struct sigaction, 3> before_;
+  std::array<struct sigaction, 3> before_{};
 };
 
 /// Holds SIGINT, SIGTERM and SIGHUP back until the end of the scope: for files that are put in their places together.
@@ -32,7 +32,7 @@ class SignalsHeld {
   const sigset_t& before() const { return before_; }
 
  private:
-  sigset_t before_;
+  sigset_t before_{};
 };
 
 /// Ends the program as the signal would, uncaught: shells report 128 + signal, and scripts stop at Ctrl-C.
