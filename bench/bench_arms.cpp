@@ -18,7 +18,8 @@ FractionalArms law() { return {Fractional(5000, 0.3, 0.3), workloads::kernel_of(
 
 /// Overlaps [m] at two neighbouring times; steps go to and fro between them.
 struct Overlaps {
-  std::vector<double> one = workloads::arguments(1e-6, 2e-6, contacts), other = workloads::arguments(2e-6, 3e-6, contacts);
+  std::vector<double> one = workloads::arguments(1e-6, 2e-6, contacts),
+                      other = workloads::arguments(2e-6, 3e-6, contacts);
 };
 
 void report(benchmark::State& state) {

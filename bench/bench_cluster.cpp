@@ -9,7 +9,8 @@ using namespace ricochet;
 
 // Settles, then steps.
 void packed(benchmark::State& state, const AnyLaw& law, const Friction& friction) {
-  const ClusterSetup setup = workloads::packing(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), law, friction);
+  const ClusterSetup setup =
+      workloads::packing(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), law, friction);
   Cluster cluster(setup, workloads::packing_options());
   cluster.advance(500);
   double contact_steps = 0, steps = 0;

@@ -36,7 +36,8 @@ void run(benchmark::State& state, const Law& plate, const Law& pair) {
     state.SetIterationTime(thread_time() - start);
     if (engine.contacts() != beads) state.SkipWithError("not every contact is active");
   }
-  const double contact_steps = static_cast<double>(state.iterations()) * PressedColumn::pressed_steps * static_cast<double>(beads);
+  const double contact_steps =
+      static_cast<double>(state.iterations()) * PressedColumn::pressed_steps * static_cast<double>(beads);
   state.counters["contact_steps/s"] = benchmark::Counter(contact_steps, benchmark::Counter::kIsRate);
   state.counters["s/contact_step"] =
       benchmark::Counter(contact_steps, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
@@ -47,7 +48,8 @@ void column_linear(benchmark::State& state) {
 }
 
 void column_hysteretic(benchmark::State& state) {
-  run(state, PressedColumn::plate<Hysteretic>(LawKind::hysteretic), PressedColumn::pair<Hysteretic>(LawKind::hysteretic));
+  run(state, PressedColumn::plate<Hysteretic>(LawKind::hysteretic),
+      PressedColumn::pair<Hysteretic>(LawKind::hysteretic));
 }
 
 void column_tsuji(benchmark::State& state) {

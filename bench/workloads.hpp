@@ -63,7 +63,8 @@ inline ClusterSetup packing(int across, int layers, const AnyLaw& law, const Fri
     for (int i = 0; i < across; ++i)
       for (int j = 0; j < across; ++j) {
         const double shift = n % 2 == 0 ? 0 : spacing / 2;
-        setup.spheres.push_back({radius, density, {i * spacing + shift, j * spacing + shift, radius + n * rise}, {}, {}, 0});
+        setup.spheres.push_back(
+            {radius, density, {i * spacing + shift, j * spacing + shift, radius + n * rise}, {}, {}, 0});
       }
   const double side = (across - 0.5) * spacing + radius;
   setup.walls = box_walls({-radius, -radius, 0}, {side, side, 1});

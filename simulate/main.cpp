@@ -23,25 +23,29 @@ std::string read_file(const std::string& path) {
 }
 
 void announce(const simulate::Scene& scene) {
-  std::fprintf(stderr, "simulate: %zu spheres, %zu walls, %llu steps of %s s%s\n", scene.setup.spheres.size(),
-               scene.setup.walls.size(), static_cast<unsigned long long>(scene.steps),
-               console::significant(scene.options.step, 4).c_str(),
-               scene.stiffest.tcol > 0
-                   ? (", the shortest collision takes about " + console::significant(scene.stiffest.tcol, 3) + " s").c_str()
-                   : "");
+  std::fprintf(
+      stderr, "simulate: %zu spheres, %zu walls, %llu steps of %s s%s\n", scene.setup.spheres.size(),
+      scene.setup.walls.size(), static_cast<unsigned long long>(scene.steps),
+      console::significant(scene.options.step, 4).c_str(),
+      scene.stiffest.tcol > 0
+          ? (", the shortest collision takes about " + console::significant(scene.stiffest.tcol, 3) + " s").c_str()
+          : "");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Moves the spheres of a scene file and writes trajectories, collisions and energies.\n"
-               "Writes trajectory.xyz (extended XYZ, opened by OVITO), contacts.csv, energy.csv and state.json.\n"
-               "docs/scenes.md describes scene files; data/scenes/ holds some.",
-               "simulate"};
+  CLI::App app{
+      "Moves the spheres of a scene file and writes trajectories, collisions and energies.\n"
+      "Writes trajectory.xyz (extended XYZ, opened by OVITO), contacts.csv, energy.csv and state.json.\n"
+      "docs/scenes.md describes scene files; data/scenes/ holds some.",
+      "simulate"};
   console::add_version(app);
   std::string file, folder;
   bool resume = false;
-  app.footer("Exit code 0: done; 2: bad input; 4: the computation, or writing its result, failed; 130: interrupted, all written.");
+  app.footer(
+      "Exit code 0: done; 2: bad input; 4: the computation, or writing its result, failed; 130: interrupted, all "
+      "written.");
   app.add_option("SCENE", file, "the scene file (JSON)")->required();
   app.add_option("-o,--output", folder, "the folder to write to, made if missing")->required();
   app.add_flag("--resume", resume, "go on with an interrupted run in that folder");

@@ -34,11 +34,10 @@ std::vector<Cell> row_of(const Calibration& r) {
   for (const auto& remark : r.remarks) status += "; " + remark;
   std::vector<Cell> row{std::string(name(r.law)), std::string(text(r.end)), status};
   for (const auto& column : parameter_columns()) row.push_back(parameter_cell(r.law, column));
-  row.insert(row.end(), {r.achieved.tcol, r.achieved.en, r.tcol_residual, r.en_residual, r.achieved.max_overlap,
-                         r.achieved.max_force, r.achieved.overlap_end,
-                         r.tcol_estimate ? Cell(*r.tcol_estimate) : console::blank(),
-                         static_cast<std::int64_t>(r.evaluations), std::string(text(r.method)), r.algorithm,
-                         r.cross_difference});
+  row.insert(row.end(),
+             {r.achieved.tcol, r.achieved.en, r.tcol_residual, r.en_residual, r.achieved.max_overlap,
+              r.achieved.max_force, r.achieved.overlap_end, r.tcol_estimate ? Cell(*r.tcol_estimate) : console::blank(),
+              static_cast<std::int64_t>(r.evaluations), std::string(text(r.method)), r.algorithm, r.cross_difference});
   return row;
 }
 
@@ -47,9 +46,18 @@ std::vector<Cell> row_of(const Calibration& r) {
 console::Table csv_of(const Report& report) {
   std::vector<Column> columns{{"law"}, {"end"}, {"status"}};
   columns.insert(columns.end(), parameter_columns().begin(), parameter_columns().end());
-  columns.insert(columns.end(), {{"tcol", "s"}, {"en"}, {"tcol_residual"}, {"en_residual"}, {"max_overlap", "m"},
-                                 {"max_force", "N"}, {"overlap_end", "m"}, {"tcol_estimate", "s"}, {"evaluations"},
-                                 {"method"}, {"algorithm"}, {"cross_check_difference"}});
+  columns.insert(columns.end(), {{"tcol", "s"},
+                                 {"en"},
+                                 {"tcol_residual"},
+                                 {"en_residual"},
+                                 {"max_overlap", "m"},
+                                 {"max_force", "N"},
+                                 {"overlap_end", "m"},
+                                 {"tcol_estimate", "s"},
+                                 {"evaluations"},
+                                 {"method"},
+                                 {"algorithm"},
+                                 {"cross_check_difference"}});
   console::Table table(columns);
   for (const auto& result : report.results) table.row(row_of(result));
   const auto without_result = [&](LawName law, ContactEnd end, const std::string& status) {
@@ -59,7 +67,8 @@ console::Table csv_of(const Report& report) {
     row[2] = status;
     table.row(row);
   };
-  for (const auto& missed : report.infeasible) without_result(missed.law, missed.end, "infeasible: " + explained(missed));
+  for (const auto& missed : report.infeasible)
+    without_result(missed.law, missed.end, "infeasible: " + explained(missed));
   for (const auto& failure : report.failed) without_result(failure.law, failure.end, "failed: " + failure.reason);
   return table;
 }

@@ -6,7 +6,8 @@
 
 namespace ricochet::calibration {
 
-/// `calibrate --fit FILE`: each law fitted to measured restitution (and collision times), with what the data do not tell.
+/// `calibrate --fit FILE`: each law fitted to measured restitution (and collision times), with what the data do not
+/// tell.
 console::Exit run_fit(const Options& options);
 
 }  // namespace ricochet::calibration

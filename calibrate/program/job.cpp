@@ -40,9 +40,7 @@ double sphere_mass(double radius, double density) {
   return 4 * std::numbers::pi / 3 * radius * radius * radius * density;
 }
 
-bool speaks_of_spheres(const Options& o) {
-  return o.radius || o.density || o.radius2 || o.density2 || o.wall;
-}
+bool speaks_of_spheres(const Options& o) { return o.radius || o.density || o.radius2 || o.density2 || o.wall; }
 
 double usable_mass(double mass) {
   if (!(mass >= least_scale && mass <= greatest_scale))
@@ -52,7 +50,8 @@ double usable_mass(double mass) {
 
 /// m₁m₂/(m₁+m₂), or the sphere's mass against a wall.
 double mass_of_spheres(const Options& o, Job& job) {
-  const double radius = needed("--radius", o.radius, "a radius [m], > 0, with --density, --radius2, --density2 or --wall");
+  const double radius =
+      needed("--radius", o.radius, "a radius [m], > 0, with --density, --radius2, --density2 or --wall");
   const double density = needed("--density", o.density, "a density [kg/m^3], > 0, with --radius");
   const double mass = sphere_mass(radius, density);
   job.radius = radius;
@@ -116,7 +115,8 @@ std::vector<ContactEnd> ends_of(const Options& o, LawName law) {
 
 LawName law_named(std::string_view flag, std::string_view name) {
   const auto law = std::find_if(all_laws.begin(), all_laws.end(), [&](LawName l) { return text(l) == name; });
-  if (law == all_laws.end()) throw BadInput(flag, shown(name), "linear, kuwabara-kono, tsuji, hysteretic or fractional");
+  if (law == all_laws.end())
+    throw BadInput(flag, shown(name), "linear, kuwabara-kono, tsuji, hysteretic or fractional");
   return *law;
 }
 
@@ -155,7 +155,8 @@ Job job_of(const Options& o) {
   job.target = target_of(o, job);
   if (o.stiffness) positive("--stiffness", *o.stiffness);
   if (o.stiffness && o.law != "all" && o.law != "fractional")
-    throw BadInput("--stiffness", shortest(*o.stiffness), "left out with --law " + o.law + "; only fractional holds a k");
+    throw BadInput("--stiffness", shortest(*o.stiffness),
+                   "left out with --law " + o.law + "; only fractional holds a k");
   for (const auto law : laws_of(o)) {
     const auto ends = ends_of(o, law);
     if (ends.empty() && o.law != "all") throw BadInput("--end", o.end, "force with --law " + o.law);

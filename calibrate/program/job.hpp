@@ -21,14 +21,14 @@ struct Options {
   bool wall = false;
   std::string law, end;  ///< empty: not given
   Settings settings;
-  std::string method;  ///< empty: not given
-  std::string targets;               ///< the file of --targets; empty: none
+  std::string method;   ///< empty: not given
+  std::string targets;  ///< the file of --targets; empty: none
   std::optional<unsigned> threads;
   std::string fit, figures;  ///< the file of --fit, the folder of --figures; empty: none
   bool alpha_of_speed = false;
   std::vector<std::string> given;  ///< the options that were typed, "--law"
-  std::string engine;  ///< of --export; empty: none
-  std::string page;    ///< of --report; empty: none
+  std::string engine;              ///< of --export; empty: none
+  std::string page;                ///< of --report; empty: none
   console::OutputOptions output;
 };
 
@@ -45,7 +45,7 @@ struct Job {
   std::vector<LawName> left_out;  ///< laws of "all" that do not offer the asked end
   std::vector<std::string> assumptions;
   std::optional<double> radius_eff, density;  ///< where they are known: r₁r₂/(r₁+r₂) [m], of both spheres [kg/m³]
-  std::optional<double> radius;   ///< of the smaller sphere, where radii were given [m]
+  std::optional<double> radius;               ///< of the smaller sphere, where radii were given [m]
 };
 
 /// Throws console::BadInput naming flag, value and what is accepted.

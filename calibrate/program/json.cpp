@@ -63,8 +63,8 @@ std::string json_of(const Report& report) {
                    {"en", target.en},
                    {"velocity", target.impact.velocity},
                    {"mass_eff", target.impact.mass_eff}};
-  out["units"] = {{"tcol", "s"},        {"velocity", "m/s"},   {"mass_eff", "kg"},     {"max_overlap", "m"},
-                  {"overlap_end", "m"}, {"max_force", "N"},    {"tcol_estimate", "s"}};
+  out["units"] = {{"tcol", "s"},        {"velocity", "m/s"}, {"mass_eff", "kg"},    {"max_overlap", "m"},
+                  {"overlap_end", "m"}, {"max_force", "N"},  {"tcol_estimate", "s"}};
   out["assumed"] = report.job.assumptions;
   out["results"] = Json::array();
   for (const auto& result : report.results) out["results"].push_back(json_of(result));

@@ -16,7 +16,8 @@ using namespace ricochet::calibration;
 namespace {
 
 std::string lone_failure(const Infeasible& missed) {
-  return "--law " + std::string(text(missed.law)) + " --end " + std::string(text(missed.end)) + ": " + explained(missed);
+  return "--law " + std::string(text(missed.law)) + " --end " + std::string(text(missed.end)) + ": " +
+         explained(missed);
 }
 
 console::Exit work(Options& options) {
@@ -24,7 +25,8 @@ console::Exit work(Options& options) {
   if (options.alpha_of_speed || !options.figures.empty())
     throw console::BadInput("--alpha-of-speed and --figures: must be left out without --fit");
   if (!options.targets.empty()) return run_targets(options);
-  if (options.threads) throw console::BadInput("--threads", std::to_string(*options.threads), "left out without --targets");
+  if (options.threads)
+    throw console::BadInput("--threads", std::to_string(*options.threads), "left out without --targets");
   if (options.law.empty()) options.law = "all";
   options.settings.method = options.method == "direct" ? Method::direct : Method::nlopt;
   const Report report = run(job_of(options), options.settings);
@@ -39,8 +41,7 @@ console::Exit work(Options& options) {
   output.commit();
   // Other laws that did reach the target answer the question; only a lone law that cannot is an error.
   if (report.results.empty() && !report.failed.empty()) throw console::Failed(report.failed.front().reason);
-  if (report.results.empty())
-    throw console::Unreachable(lone_failure(report.infeasible.front()));
+  if (report.results.empty()) throw console::Unreachable(lone_failure(report.infeasible.front()));
   return console::Exit::done;
 }
 
@@ -51,8 +52,10 @@ int main(int argc, char** argv) {
   console::add_version(app);
   Options options;
   add_options(app, options);
-  app.footer("Exit code 0: done; 1: a row of --targets failed; 2: bad input; 3: the law cannot reach the target; 4: the computation, "
-             "or writing its result, failed.");
+  app.footer(
+      "Exit code 0: done; 1: a row of --targets failed; 2: bad input; 3: the law cannot reach the target; 4: the "
+      "computation, "
+      "or writing its result, failed.");
   return console::run_program(app, argc, argv, [&] {
     for (const CLI::Option* option : app.get_options())
       if (option->count() > 0) options.given.push_back(option->get_name());

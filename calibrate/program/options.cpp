@@ -59,7 +59,8 @@ void add_options(CLI::App& app, Options& o) {
   add_number(app, "--density2", o.density2, "density of the other sphere [kg/m^3] (default --density)");
   app.add_flag("--wall", o.wall, "the sphere hits a wall instead of another sphere");
   add_number(app, "--stiffness", o.stiffness, "k that the fractional law holds [kg/s^2] (default linear's, by force)");
-  add_choice(app, "--method", o.method, {"nlopt", "direct"}, "method of the answer (default nlopt); the other one cross-checks it");
+  add_choice(app, "--method", o.method, {"nlopt", "direct"},
+             "method of the answer (default nlopt); the other one cross-checks it");
   add_choice(app, "--algorithm", o.settings.algorithm, algorithms(), "NLopt's algorithm (default LN_BOBYQA)");
   add_number(app, "--tolerance", o.settings.tolerance, "relative, in tcol and en (default 1e-10)");
   app.add_option("--targets", o.targets,
@@ -75,9 +76,11 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option_function<std::string>("--threads", read_threads, "threads of --targets (default: all cores)")
       ->type_name("NUMBER");
   app.add_option("--fit", o.fit,
-                 "fit the laws to a CSV file of measurements instead: columns velocity, en and any of en_sigma, tcol, tcol_sigma")
+                 "fit the laws to a CSV file of measurements instead: columns velocity, en and any of en_sigma, tcol, "
+                 "tcol_sigma")
       ->type_name("FILE");
-  app.add_flag("--alpha-of-speed", o.alpha_of_speed, "with --fit: the fractional law also with an alpha that follows the speed");
+  app.add_flag("--alpha-of-speed", o.alpha_of_speed,
+               "with --fit: the fractional law also with an alpha that follows the speed");
   app.add_option("--figures", o.figures, "with --fit: also draw measurements, fits and residuals into this folder")
       ->type_name("DIR");
   add_choice(app, "--export", o.engine, {"liggghts", "lammps", "yade", "mercurydpm", "mfix"},

@@ -60,10 +60,12 @@ console::Figure curves_figure(const Report& report) {
     if (!least || r.achieved.max_force < least->achieved.max_force) least = &r;
     if (!most || r.achieved.max_force > most->achieved.max_force) most = &r;
   }
-  auto figure = console::collision_panels("collision", "Overlap, velocity and force during the collision, under every law.", motions);
-  figure.finding = "All laws end after the same time with the same velocity; on the way the greatest force ranges from " +
-                   console::significant(least->achieved.max_force, 3) + " N (" + title_of(*least) + ") to " +
-                   console::significant(most->achieved.max_force, 3) + " N (" + title_of(*most) + ").";
+  auto figure = console::collision_panels(
+      "collision", "Overlap, velocity and force during the collision, under every law.", motions);
+  figure.finding =
+      "All laws end after the same time with the same velocity; on the way the greatest force ranges from " +
+      console::significant(least->achieved.max_force, 3) + " N (" + title_of(*least) + ") to " +
+      console::significant(most->achieved.max_force, 3) + " N (" + title_of(*most) + ").";
   return figure;
 }
 
@@ -73,8 +75,8 @@ Table sensitivity_table(const Report& report) {
               "What one percent more of a parameter does");
   for (const Calibration& r : report.results)
     for (const Sensitivity& s : sensitivities(r.law, r.end, report.job.target.impact))
-      table.row({std::string(name(r.law)), std::string(text(r.end)), s.parameter.name, s.tcol ? console::Cell(*s.tcol) : console::blank(),
-                 s.en ? console::Cell(*s.en) : console::blank()});
+      table.row({std::string(name(r.law)), std::string(text(r.end)), s.parameter.name,
+                 s.tcol ? console::Cell(*s.tcol) : console::blank(), s.en ? console::Cell(*s.en) : console::blank()});
   return table;
 }
 
@@ -87,7 +89,8 @@ struct Stepping {
 std::vector<Stepping> steppings(const Report& report) {
   std::vector<Stepping> all;
   for (const Calibration& r : report.results)
-    all.push_back({title_of(r), std::string(name(r.law)), std::string(text(r.end)), step_errors(r.law, r.end, report.job.target)});
+    all.push_back({title_of(r), std::string(name(r.law)), std::string(text(r.end)),
+                   step_errors(r.law, r.end, report.job.target)});
   return all;
 }
 
@@ -116,17 +119,22 @@ console::Figure step_figure(const std::vector<Stepping>& all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i) csv += "\n\n";
     for (const StepError& e : all[i].errors)
-      if (e.error > 0) csv += '"' + all[i].title + "\"," + std::to_string(e.steps) + "," + console::shortest(e.error) + "\n";
-    plot += (i ? ", \\\n  " : "plot ") + std::string("'steps.csv' ") + (i ? "" : "skip 1 ") + "index " + std::to_string(i) +
-            " using 2:3 with linespoints lt " + std::to_string(i % 7 + 1) + " ps 0.7 title '" + all[i].title + "'";
+      if (e.error > 0)
+        csv += '"' + all[i].title + "\"," + std::to_string(e.steps) + "," + console::shortest(e.error) + "\n";
+    plot += (i ? ", \\\n  " : "plot ") + std::string("'steps.csv' ") + (i ? "" : "skip 1 ") + "index " +
+            std::to_string(i) + " using 2:3 with linespoints lt " + std::to_string(i % 7 + 1) + " ps 0.7 title '" +
+            all[i].title + "'";
   }
-  console::Figure figure{.name = "steps",
-                         .caption = "Greatest error of e_n against the number of time steps a collision, as engines step it.",
-                         .script = "set logscale xy\nset format y '%g'\nset xlabel 'time steps a collision, t_{col}/Δt'\n"
-                                   "set ylabel 'greatest relative error of e_n'\nset key outside right center\n" + plot + "\n",
-                         .data = {{"steps.csv", csv}},
-                         .width = 960,
-                         .height = 460};
+  console::Figure figure{
+      .name = "steps",
+      .caption = "Greatest error of e_n against the number of time steps a collision, as engines step it.",
+      .script =
+          "set logscale xy\nset format y '%g'\nset xlabel 'time steps a collision, t_{col}/Δt'\n"
+          "set ylabel 'greatest relative error of e_n'\nset key outside right center\n" +
+          plot + "\n",
+      .data = {{"steps.csv", csv}},
+      .width = 960,
+      .height = 460};
   const auto worst = std::max_element(all.begin(), all.end(), [](const Stepping& a, const Stepping& b) {
     return a.errors[5].error < b.errors[5].error;
   });
@@ -143,7 +151,9 @@ std::string target_text(const Target& target) {
 }
 
 std::string snippets(const Report& report) {
-  std::string html = "<h2 id=\"export\">For the engines</h2>\n<p>The first law that an engine runs exactly is active, the others are comments.</p>\n";
+  std::string html =
+      "<h2 id=\"export\">For the engines</h2>\n<p>The first law that an engine runs exactly is active, the others are "
+      "comments.</p>\n";
   for (const Engine engine : engines()) {
     const std::string word(text(engine));
     html += "<h3>" + escaped(version(engine)) + "</h3>\n" +
@@ -156,26 +166,35 @@ std::string snippets(const Report& report) {
 
 std::string page_of(const Report& report) {
   const Target& target = report.job.target;
-  std::string body = "<header>\n<h1>Contact laws for a measured rebound</h1>\n<p class=\"lead\">" + escaped(target_text(target)) + " at " +
-                     console::shortest(target.impact.velocity) + " m/s, effective mass " + console::significant(target.impact.mass_eff, 9) +
-                     " kg</p>\n<p>Parameters of every contact law that make a collision take this time and keep this share of the velocity, "
-                     "proved by an independent numerical collision.</p>\n</header>\n<main id=\"content\">\n<h2 id=\"parameters\">Parameters</h2>\n";
+  std::string body = "<header>\n<h1>Contact laws for a measured rebound</h1>\n<p class=\"lead\">" +
+                     escaped(target_text(target)) + " at " + console::shortest(target.impact.velocity) +
+                     " m/s, effective mass " + console::significant(target.impact.mass_eff, 9) +
+                     " kg</p>\n<p>Parameters of every contact law that make a collision take this time and keep this "
+                     "share of the velocity, "
+                     "proved by an independent numerical collision.</p>\n</header>\n<main id=\"content\">\n<h2 "
+                     "id=\"parameters\">Parameters</h2>\n";
   const auto tables = tables_of(report);
-  for (std::size_t i = 0; i < tables.size(); ++i) body += console::html_table(tables[i], {.id = "table-" + std::to_string(i + 1), .shown = 40});
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    body += console::html_table(tables[i], {.id = "table-" + std::to_string(i + 1), .shown = 40});
   if (!report.results.empty()) {
     const auto all = steppings(report);
     const auto curves = curves_figure(report), steps = step_figure(all);
     body += "<h2 id=\"curves\">The collision</h2>\n" + console::html_figure(curves, console::svg_of(curves), {}) +
-            "<h2 id=\"sensitivity\">Sensitivity</h2>\n" + console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}) +
-            "<h2 id=\"step\">Which time step</h2>\n<p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force from the position at the "
-            "end of the step and the velocity at its middle, a contact found once the bodies overlap. The error is the greatest over "
-            "sixteen places of the first touch within a step. liggghts-ricochet locates the touch and needs fewer steps for the "
+            "<h2 id=\"sensitivity\">Sensitivity</h2>\n" +
+            console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}) +
+            "<h2 id=\"step\">Which time step</h2>\n<p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force "
+            "from the position at the "
+            "end of the step and the velocity at its middle, a contact found once the bodies overlap. The error is the "
+            "greatest over "
+            "sixteen places of the first touch within a step. liggghts-ricochet locates the touch and needs fewer "
+            "steps for the "
             "fractional law than this table says.</p>\n" +
-            console::html_table(step_table(all, target.tcol), {.id = "steps", .shown = 40}) + console::html_figure(steps, console::svg_of(steps), {}) +
-            snippets(report);
+            console::html_table(step_table(all, target.tcol), {.id = "steps", .shown = 40}) +
+            console::html_figure(steps, console::svg_of(steps), {}) + snippets(report);
   }
   body += "<h2 id=\"data\">Everything as JSON</h2>\n<details><summary>ricochet/calibration/1</summary>\n" +
-          console::html_code("code-json", "The calibration as JSON", json_of(report)) + "</details>\n</main>\n<footer><p>Ricochet. SI units.</p></footer>\n";
+          console::html_code("code-json", "The calibration as JSON", json_of(report)) +
+          "</details>\n</main>\n<footer><p>Ricochet. SI units.</p></footer>\n";
   return console::html_page("Contact laws for " + target_text(target), body);
 }
 

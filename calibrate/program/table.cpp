@@ -32,7 +32,8 @@ Table parameter_table(const Report& report) {
 void note_fractional(Table& table, const Calibration& r) {
   const auto* law = std::get_if<Fractional>(&r.law);
   if (!law) return;
-  const std::string product = "c^alpha k^(1-alpha) = " + console::significant(law->coefficient(), 9) + " kg s^(alpha-2)";
+  const std::string product =
+      "c^alpha k^(1-alpha) = " + console::significant(law->coefficient(), 9) + " kg s^(alpha-2)";
   if (law->alpha() == 0)
     table.note("fractional: alpha = 0 is a spring and c has no effect; sqrt(k m) is shown for it");
   else
@@ -41,13 +42,24 @@ void note_fractional(Table& table, const Calibration& r) {
 }
 
 Table collision_table(const Report& report) {
-  std::vector<console::Column> columns{{"law"}, {"end"}, {"tcol", "s", nine}, {"en", "", nine}, {"max overlap", "m"},
-                                       {"overlap at end", "m"}, {"max force", "N"}, {"tcol by Eq. (57)", "s"}};
+  std::vector<console::Column> columns{{"law"},
+                                       {"end"},
+                                       {"tcol", "s", nine},
+                                       {"en", "", nine},
+                                       {"max overlap", "m"},
+                                       {"overlap at end", "m"},
+                                       {"max force", "N"},
+                                       {"tcol by Eq. (57)", "s"}};
   if (report.job.radius) columns.push_back({"max overlap/radius", "%", {Notation::Kind::significant, 3}});
   Table table(columns, "What they do, by an independent numerical collision");
   for (const auto& r : report.results) {
-    std::vector<Cell> row{law_of(r), end_of(r), r.achieved.tcol, r.achieved.en, r.achieved.max_overlap,
-                          r.achieved.overlap_end, r.achieved.max_force,
+    std::vector<Cell> row{law_of(r),
+                          end_of(r),
+                          r.achieved.tcol,
+                          r.achieved.en,
+                          r.achieved.max_overlap,
+                          r.achieved.overlap_end,
+                          r.achieved.max_force,
                           r.tcol_estimate ? Cell(*r.tcol_estimate) : console::blank()};
     if (report.job.radius) row.push_back(100 * r.achieved.max_overlap / *report.job.radius);
     table.row(row);
@@ -57,8 +69,15 @@ Table collision_table(const Report& report) {
 }
 
 Table check_table(const Report& report) {
-  Table table({{"law"}, {"end"}, {"method"}, {"algorithm"}, {"collisions"}, {"tcol error", "", rough},
-               {"en error", "", rough}, {"cross-check by"}, {"difference", "", rough}},
+  Table table({{"law"},
+               {"end"},
+               {"method"},
+               {"algorithm"},
+               {"collisions"},
+               {"tcol error", "", rough},
+               {"en error", "", rough},
+               {"cross-check by"},
+               {"difference", "", rough}},
               "How far from the target, and from the other method's parameters (relative)");
   for (const auto& r : report.results)
     table.row({law_of(r), end_of(r), std::string(text(r.method)), r.algorithm, static_cast<std::int64_t>(r.evaluations),
@@ -87,8 +106,7 @@ Table failure_table(const Report& report) {
 
 std::vector<Table> tables_of(const Report& report) {
   std::vector<Table> tables;
-  if (!report.results.empty())
-    tables = {parameter_table(report), collision_table(report), check_table(report)};
+  if (!report.results.empty()) tables = {parameter_table(report), collision_table(report), check_table(report)};
   if (!report.infeasible.empty()) tables.push_back(infeasible_table(report));
   if (!report.failed.empty()) tables.push_back(failure_table(report));
   return tables;

@@ -36,7 +36,8 @@ std::optional<Collision> moved(const AnyLaw& law, std::size_t i, double value, C
 
 /// Restitution of a contact that begins `lead` of a step before the end of the step in which it is found.
 template <ContactLaw Law>
-double stepped_restitution(const Law& law, ContactEnd end, const Impact& impact, double h, double lead, int most_steps) {
+double stepped_restitution(const Law& law, ContactEnd end, const Impact& impact, double h, double lead,
+                           int most_steps) {
   typename Law::Memory memory{};
   double overlap = (lead - 1) * h * impact.velocity, rate = impact.velocity, force = 0;
   Approach before{0, rate};
@@ -77,7 +78,8 @@ struct Stepped {
   }
   double operator()(const Fractional& law) const {
     const double h = target.tcol / steps;
-    return worst_error(FractionalArms(law, memory_kernel(law.alpha(), h, 10 * target.tcol, 1e-6), h), end, target, steps);
+    return worst_error(FractionalArms(law, memory_kernel(law.alpha(), h, 10 * target.tcol, 1e-6), h), end, target,
+                       steps);
   }
 };
 

@@ -60,14 +60,16 @@ bool fits(const Request& request, const AnyLaw& scaled, double held, double tole
 Infeasible unfit_stiffness(const Request& request, const Fractional& scaled, double held) {
   const double tcol = request.target.tcol, alpha = scaled.alpha(), elastic = stiffness_alone(request, scaled);
   if (alpha == 0)
-    return {request.law, request.end, "at en = 1 the law is a spring (alpha = 0) and tcol alone fixes its k", "stiffness",
-            held, elastic, elastic};
+    return {request.law, request.end, "at en = 1 the law is a spring (alpha = 0) and tcol alone fixes its k",
+            "stiffness", held,        elastic,
+            elastic};
   // ln c = ln t + ln(elastic)/α + (1 − 1/α) ln k falls with k, and must stay within the range of a double.
   const auto stiffness_at = [&](double log_c) {
     return std::exp((log_c - std::log(tcol) - std::log(elastic) / alpha) / (1 - 1 / alpha));
   };
-  return {request.law, request.end, "the c that goes with the k to hold is not a number that a double can carry",
-          "stiffness", held, stiffness_at(700), stiffness_at(-700)};
+  return {request.law,       request.end, "the c that goes with the k to hold is not a number that a double can carry",
+          "stiffness",       held,        stiffness_at(700),
+          stiffness_at(-700)};
 }
 
 double greatest_relative_difference(const AnyLaw& law, const AnyLaw& other) {
@@ -132,7 +134,8 @@ void check(Calibration& out, const Request& request, double tolerance) {
 }
 
 /// The direct solution in the units of the target.
-std::variant<AnyLaw, Infeasible> of_target(const std::optional<Solution>& direct, const Request& request, double tolerance) {
+std::variant<AnyLaw, Infeasible> of_target(const std::optional<Solution>& direct, const Request& request,
+                                           double tolerance) {
   if (!direct) return out_of_reach(request, tolerance);
   const double held = held_stiffness(request);
   const auto law = in_si(direct->law, request.target, held);

@@ -100,8 +100,7 @@ struct DirectCalibrator::Tables {
       case LawName::linear: return calibration::linear_by_force(t, linear_by_force());
       case LawName::kuwabara_kono:
         return calibration::kuwabara_kono(t, kuwabara_kono(LawName::kuwabara_kono, ContactEnd::force));
-      case LawName::tsuji:
-        return tsuji(t, (by_force ? tsuji_by_force : tsuji_by_overlap)(LawName::tsuji, request.end));
+      case LawName::tsuji: return tsuji(t, (by_force ? tsuji_by_force : tsuji_by_overlap)(LawName::tsuji, request.end));
       case LawName::hysteretic:
       case LawName::fractional: break;
     }

@@ -23,8 +23,9 @@ void require_scale(const char* name, double value) {
 /// Restitutions and times.
 std::size_t observations_in(const std::vector<Measurement>& data) { return data.size() * (data[0].tcol > 0 ? 2 : 1); }
 
-/// Does the restitution that is left over follow the speed? So it is where the slope of the residuals against ln v is four
-/// standard errors from 0, both by their own scatter and by what is known of it: the stated errors, or the model's.
+/// Does the restitution that is left over follow the speed? So it is where the slope of the residuals against ln v is
+/// four standard errors from 0, both by their own scatter and by what is known of it: the stated errors, or the
+/// model's.
 bool follows_speed(const Fit& fit, const VectorXd& r, const std::vector<Measurement>& data) {
   const Index stride = data[0].tcol > 0 ? 2 : 1;
   const Index count = static_cast<Index>(data.size());

@@ -9,7 +9,8 @@ void require_fit(const FitRequest& request, const std::vector<Measurement>& data
 /// Throws std::invalid_argument unless there are more observations than unknowns.
 void require_observations(const FitRequest& request, const std::vector<Measurement>& data, Eigen::Index unknowns);
 
-/// What these data cannot tell, and what this law cannot do, in words; `at_the_edge`: parameters at the end of their range.
+/// What these data cannot tell, and what this law cannot do, in words; `at_the_edge`: parameters at the end of their
+/// range.
 std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>& at_the_edge,
                                   const Eigen::VectorXd& residuals, const std::vector<Measurement>& data);
 

@@ -31,7 +31,8 @@ const ForwardFractional& forward_fractional(ContactEnd end) {
 /// The α up to which the bodies part.
 double greatest_alpha(ContactEnd end) { return end == ContactEnd::force ? 1 : overlap_limit; }
 
-/// e_n = 1 − O(e^u) for the loss that belongs to u: below −16 data cannot tell it from 1, nor central differences its slope.
+/// e_n = 1 − O(e^u) for the loss that belongs to u: below −16 data cannot tell it from 1, nor central differences its
+/// slope.
 constexpr double least_loss = -16;
 /// ln(α/(α_max − α)): at 6.9, α is a thousandth short of where nothing rebounds.
 constexpr double greatest_logit = 6.9;
@@ -126,8 +127,8 @@ class HystereticModel : public Base {
   }
 };
 
-/// γ = group v^{s} of a Hertzian spring: T = (m/(k v^{1/2}))^{2/5}, and with the force c ζ^b ζ' γ = c v^b T^{b+1}/m, so that
-/// s = b − (b+1)/5: 1/5 for Kuwabara-Kono (b = 1/2), 0 for Tsuji (b = 1/4).
+/// γ = group v^{s} of a Hertzian spring: T = (m/(k v^{1/2}))^{2/5}, and with the force c ζ^b ζ' γ = c v^b T^{b+1}/m, so
+/// that s = b − (b+1)/5: 1/5 for Kuwabara-Kono (b = 1/2), 0 for Tsuji (b = 1/4).
 class HertzianModel : public Base {
  public:
   using Base::Base;

@@ -11,8 +11,8 @@ namespace ricochet::calibration {
 /// Error of a model's e_n, and relative of its t_col.
 inline constexpr double model_error = 1e-9;
 
-/// Where the search goes: beyond, the law differs from an elastic or a wholly lossy one by less than can be told, or the
-/// bodies no longer part.
+/// Where the search goes: beyond, the law differs from an elastic or a wholly lossy one by less than can be told, or
+/// the bodies no longer part.
 struct Box {
   Eigen::VectorXd low, high;
 };

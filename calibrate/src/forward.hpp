@@ -13,8 +13,9 @@ struct Reduced {
   double en, tcol;
 };
 
-/// A damped power law at k = m = v₀ = 1 as a function of ln γ (γ = c there): panels of width 1/2, on which powers of γ are
-/// nearly polynomials. Outside, and where the bodies do not part (en = tcol = 0), the collision itself. Error: 1e-10.
+/// A damped power law at k = m = v₀ = 1 as a function of ln γ (γ = c there): panels of width 1/2, on which powers of γ
+/// are nearly polynomials. Outside, and where the bodies do not part (en = tcol = 0), the collision itself. Error:
+/// 1e-10.
 class ForwardDamped {
  public:
   ForwardDamped(LawName law, ContactEnd end);
@@ -31,9 +32,9 @@ class ForwardDamped {
   std::vector<Pair> panels_;
 };
 
-/// The fractional law as a function of α: e_n and τ = t_col A^{1/(2−α)}. By force, panels in α up to 0.97 and the closed form
-/// beyond. By overlap e_n falls to 0 like √(overlap_limit − α), so the panels are in w = √(1 − α/overlap_limit), down to
-/// w = 0.02 (e_n = 0.012). Error: 1e-10, beyond the panels that of fractional_contact.
+/// The fractional law as a function of α: e_n and τ = t_col A^{1/(2−α)}. By force, panels in α up to 0.97 and the
+/// closed form beyond. By overlap e_n falls to 0 like √(overlap_limit − α), so the panels are in w = √(1 −
+/// α/overlap_limit), down to w = 0.02 (e_n = 0.012). Error: 1e-10, beyond the panels that of fractional_contact.
 class ForwardFractional {
  public:
   explicit ForwardFractional(ContactEnd end);

@@ -44,8 +44,13 @@ Infeasible out_of_reach(const Request& request, double tolerance) {
     const double middle = 0.5 * (missed + reached);
     (reaches(request, std::exp(middle), tolerance) ? reached : missed) = middle;
   }
-  return {request.law, request.end, "below, the rounding of its parameters to doubles keeps the law from the tolerance", "en",
-          request.target.en, rounded_up(std::exp(reached)), 1};
+  return {request.law,
+          request.end,
+          "below, the rounding of its parameters to doubles keeps the law from the tolerance",
+          "en",
+          request.target.en,
+          rounded_up(std::exp(reached)),
+          1};
 }
 
 }  // namespace ricochet::calibration

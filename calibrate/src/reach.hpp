@@ -4,8 +4,8 @@
 
 namespace ricochet::calibration {
 
-/// The relative error that rounding the law's parameters to doubles leaves in e_n. In exact arithmetic every e_n in (0, 1]
-/// can be reached; `law` is the one in the units of the target.
+/// The relative error that rounding the law's parameters to doubles leaves in e_n. In exact arithmetic every e_n in (0,
+/// 1] can be reached; `law` is the one in the units of the target.
 double rounding_error(const AnyLaw& law, ContactEnd end, double en);
 
 /// The bound of `collide` for its numerical path, at the answer.

@@ -24,7 +24,8 @@ inline Collision unit_collision(LawName law, const Coordinates& x, ContactEnd en
   return collide(scaled_law(law, x), {1, 1}, {end});
 }
 
-/// Throws std::invalid_argument for a target or stiffness outside its domain and for an end that the law does not offer.
+/// Throws std::invalid_argument for a target or stiffness outside its domain and for an end that the law does not
+/// offer.
 void require_request(const Request& request);
 
 /// The law by the direct reduction alone, where doubles carry it to the tolerance; the request is a valid one.

@@ -34,10 +34,12 @@ ContactStack::ContactStack(LAMMPS* lmp, IContactHistorySetup* history, bool is_w
       cohesion_(choose<CohesionModelBase, CohesionModel, COHESION_OFF, COHESION_SJKR, COHESION_SJKR2,
                        COHESION_EASO_CAPILLARY_VISCOUS, COHESION_WASHINO_CAPILLARY_VISCOUS>(field(code, 2), lmp,
                                                                                             history, this)),
-      tangential_(choose<TangentialModelBase, TangentialModel, TANGENTIAL_OFF, TANGENTIAL_NO_HISTORY,
-                         TANGENTIAL_HISTORY>(field(code, 1), lmp, history, this)),
-      rolling_(choose<RollingModelBase, RollingModel, ROLLING_OFF, ROLLING_CDT, ROLLING_EPSD, ROLLING_EPSD2,
-                      ROLLING_EPSD3>(field(code, 3), lmp, history, this)) {}
+      tangential_(
+          choose<TangentialModelBase, TangentialModel, TANGENTIAL_OFF, TANGENTIAL_NO_HISTORY, TANGENTIAL_HISTORY>(
+              field(code, 1), lmp, history, this)),
+      rolling_(
+          choose<RollingModelBase, RollingModel, ROLLING_OFF, ROLLING_CDT, ROLLING_EPSD, ROLLING_EPSD2, ROLLING_EPSD3>(
+              field(code, 3), lmp, history, this)) {}
 
 void ContactStack::registerSettings(Settings& settings) {
   surface_.registerSettings(settings);

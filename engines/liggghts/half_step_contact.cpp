@@ -30,8 +30,8 @@ double start_weight(double p, double theta) noexcept {
   const double sum = std::pow(first, p) + std::pow(first + 1, p);
   const double power = std::pow(last, p);
   const double inverse = 1 / last;
-  const double tail = power * (last / (1 + p) - 0.5 + inverse * p / 12 -
-                               inverse * inverse * inverse * p * (1 - p) * (2 - p) / 720);
+  const double tail =
+      power * (last / (1 + p) - 0.5 + inverse * p / 12 - inverse * inverse * inverse * p * (1 - p) * (2 - p) / 720);
   return tail - sum;
 }
 

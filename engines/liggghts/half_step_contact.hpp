@@ -16,8 +16,8 @@ namespace ricochet::liggghts {
 /// Scheme (derivation in docs/liggghts.md), second order in dt for the velocity, the overlap and the force:
 /// - the rate at the step's end is extrapolated from the last three half-step rates; the arms are stepped exactly for
 ///   the rate that is linear over the step, has this end and the exact mean (ζ_n − ζ_{n−1})/dt;
-/// - a contact starts at t_b = t_n − θ dt, θ = ζ_n/(ζ'_{n−1/2} dt). The force rises as (t − t_b)^{1−α}, which the sum of
-///   the engine's kicks integrates to order 2 − α only; the first kick carries the missing part (see start_weight);
+/// - a contact starts at t_b = t_n − θ dt, θ = ζ_n/(ζ'_{n−1/2} dt). The force rises as (t − t_b)^{1−α}, which the sum
+///   of the engine's kicks integrates to order 2 − α only; the first kick carries the missing part (see start_weight);
 /// - a force that is about to fall through zero within the next step ends in the same way, as a straight line.
 ///
 /// What a contact remembers is `size` doubles, all zero before the first touch, in the engine's own history: they
@@ -42,8 +42,8 @@ class HalfStepContact {
   static bool continues(const double* history, double step) noexcept { return history[stamp] == step; }
   static bool is_at(const double* history, double step) noexcept { return history[stamp] == step + 1; }
 
-  /// Steps the contact to the end of step number `step` ≥ 1, ζ = `now` [m] > 0, ζ' = `half_step_rate` half a step before.
-  /// A history that was not touched in the step before is stale (the grains have been apart) and starts anew.
+  /// Steps the contact to the end of step number `step` ≥ 1, ζ = `now` [m] > 0, ζ' = `half_step_rate` half a step
+  /// before. A history that was not touched in the step before is stale (the grains have been apart) and starts anew.
   void advance(double* history, double step, double now, double half_step_rate, double dt) const noexcept;
 
   /// max(0, D^α ζ) [m s^{−α}] at the last touch.

@@ -66,8 +66,9 @@ void NormalModel<FRACTIONAL>::connectToProperties(PropertyRegistry& registry) {
   if (force->cg_active()) error->cg(FLERR, caller);
   const bool by_target = has_property(*modify, "collisionTime", "peratomtypepair");
   if (by_target && has_property(*modify, "fractionalK", "peratomtypepair"))
-    error->all(FLERR, "model fractional takes either collisionTime and coefficientRestitution or fractionalK, "
-                      "fractionalC and fractionalAlpha, not both");
+    error->all(FLERR,
+               "model fractional takes either collisionTime and coefficientRestitution or fractionalK, "
+               "fractionalC and fractionalAlpha, not both");
   if (by_target) {
     registry.registerProperty("collisionTime", &collision_time);
     registry.registerProperty("fractionalRestitution", &restitution);

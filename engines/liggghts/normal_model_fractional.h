@@ -46,8 +46,8 @@ class NormalModel<FRACTIONAL> : public NormalModelBase {
   bool kt_to_kn_ = false, tangential_damping_ = true, track_energy_ = false;
   int history_offset_;
 
-  double **tcol_ = nullptr, **en_ = nullptr;                      // the one set of properties, or
-  double **k_ = nullptr, **c_ = nullptr, **alpha_ = nullptr;      // the other
+  double **tcol_ = nullptr, **en_ = nullptr;                  // the one set of properties, or
+  double **k_ = nullptr, **c_ = nullptr, **alpha_ = nullptr;  // the other
   double memory_time_ = 0;
 
   int types_ = 0;

@@ -31,9 +31,7 @@ class PairLaw {
 
   const HalfStepContact& contact() const noexcept { return contact_; }
   /// c^α k^{1−α} [kg s^{α−2}] of a pair of effective mass `mass_eff` [kg].
-  double coefficient(double mass_eff) const noexcept {
-    return tcol_ > 0 ? per_mass_ * mass_eff : coefficient_;
-  }
+  double coefficient(double mass_eff) const noexcept { return tcol_ > 0 ? per_mass_ * mass_eff : coefficient_; }
   double tcol(double mass_eff) const noexcept {
     return tcol_ > 0 ? tcol_ : std::pow(z_star_ * mass_eff / coefficient_, 1 / (2 - contact_.alpha()));
   }
@@ -49,8 +47,8 @@ class PairLaw {
   HalfStepContact contact_;
   double z_star_, en_;
   double linear_stiffness_, linear_damping_;  // π² + ln² e_n and −2 ln e_n, those of m = t_col = 1
-  double tcol_ = 0, per_mass_ = 0;  // from a target
-  double coefficient_ = 0;          // from parameters
+  double tcol_ = 0, per_mass_ = 0;            // from a target
+  double coefficient_ = 0;                    // from parameters
 };
 
 }  // namespace ricochet::liggghts

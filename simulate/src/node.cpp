@@ -31,9 +31,7 @@ void Node::reject(std::string_view accepted) const {
   throw BadInput(place() + " = " + shown + ": must be " + std::string(accepted));
 }
 
-void Node::complain(std::string_view message) const {
-  throw BadInput(place() + ": " + std::string(message));
-}
+void Node::complain(std::string_view message) const { throw BadInput(place() + ": " + std::string(message)); }
 
 void Node::allow(std::initializer_list<std::string_view> keys) const {
   std::string accepted;
@@ -117,12 +115,14 @@ Json parse(const std::string& file, const std::string& text) {
   try {
     json = Json::parse(text, std::ref(keys));
   } catch (const Json::parse_error& error) {
-    throw BadInput(file + ":" + line_and_column(text, error.byte > 0 ? error.byte - 1 : 0) + ": no JSON: must be one object as docs/scenes.md describes");
+    throw BadInput(file + ":" + line_and_column(text, error.byte > 0 ? error.byte - 1 : 0) +
+                   ": no JSON: must be one object as docs/scenes.md describes");
   } catch (const Json::out_of_range& error) {  // 406, "number overflow parsing '1e999'"
     const std::string message = error.what();
     const std::size_t first = message.find('\'') + 1, end = message.rfind('\'');
     const std::string number = message.substr(first, end - first);
-    throw BadInput(file + ":" + line_and_column(text, text.find(number)) + ": " + number + ": must be at most 1.8e308 in size");
+    throw BadInput(file + ":" + line_and_column(text, text.find(number)) + ": " + number +
+                   ": must be at most 1.8e308 in size");
   }
   if (!keys.repeated.empty())
     throw BadInput(file + ": key \"" + keys.repeated + "\" is given twice in one object; it must be given once");

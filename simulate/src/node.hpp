@@ -28,7 +28,7 @@ class Node {
   Node at(std::size_t index) const;
   std::size_t size() const;  ///< of an array
 
-  double number() const;    ///< finite
+  double number() const;  ///< finite
   double positive() const;
   double not_negative() const;
   std::string text() const;

@@ -63,13 +63,15 @@ std::string contact_row(const Scene& scene, const Encounter& e) {
   std::string phases;
   for (std::size_t k : order)
     if (std::isfinite(e.phase_begin[k]))
-      phases += (phases.empty() ? "" : "; ") + std::string(name(static_cast<Phase>(k))) + " " + shortest(e.phase_begin[k]);
-  return scene.body_names[e.i] + ',' + scene.body_names[e.j] + ',' + shortest(e.begin) + ',' + finite_or_empty(e.end) + ',' +
-         finite_or_empty(e.separation) + ',' + std::string(name(e.how)) + ',' + phases + '\n';
+      phases +=
+          (phases.empty() ? "" : "; ") + std::string(name(static_cast<Phase>(k))) + " " + shortest(e.phase_begin[k]);
+  return scene.body_names[e.i] + ',' + scene.body_names[e.j] + ',' + shortest(e.begin) + ',' + finite_or_empty(e.end) +
+         ',' + finite_or_empty(e.separation) + ',' + std::string(name(e.how)) + ',' + phases + '\n';
 }
 
 GrowingFile::GrowingFile(std::string path, std::uint64_t length)
-    : path_(std::move(path)), length_(length),
+    : path_(std::move(path)),
+      length_(length),
       file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (length == 0 ? O_TRUNC : 0), 0666)) {
   if (file_ < 0) throw console::BadInput(path_ + ": cannot write: " + std::generic_category().message(errno));
   if (length == 0) return;

@@ -9,7 +9,7 @@
 
 namespace ricochet::simulate {
 
-std::string frame_xyz(const Scene& scene, const Cluster& cluster);       ///< one frame of extended XYZ
+std::string frame_xyz(const Scene& scene, const Cluster& cluster);  ///< one frame of extended XYZ
 std::string energy_row(const Cluster& cluster);
 std::string contact_row(const Scene& scene, const Encounter& encounter);
 std::string energy_header();

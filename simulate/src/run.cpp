@@ -44,7 +44,9 @@ Cluster prepared(const Scene& scene) {
 class Run {
  public:
   Run(const Scene& scene, Cluster cluster, const std::string& folder, const std::optional<Checkpoint>& from)
-      : scene_(scene), state_path_(folder + "/state.json"), cluster_(std::move(cluster)),
+      : scene_(scene),
+        state_path_(folder + "/state.json"),
+        cluster_(std::move(cluster)),
         trajectory_(folder + "/trajectory.xyz", from ? from->lengths[0] : 0),
         contacts_(folder + "/contacts.csv", from ? from->lengths[1] : 0),
         energy_(folder + "/energy.csv", from ? from->lengths[2] : 0) {
@@ -96,10 +98,12 @@ class Run {
   void report() const {
     const ClusterState& s = cluster_.state();
     if (s.unconverged == 0) return;
-    console::complain("simulate", std::to_string(s.unconverged) + " of " + std::to_string(s.steps) + " steps ended after " +
-                                      std::to_string(scene_.options.max_sweeps) + " sweeps over the contacts, when impulses still changed by up to " +
+    console::complain("simulate", std::to_string(s.unconverged) + " of " + std::to_string(s.steps) +
+                                      " steps ended after " + std::to_string(scene_.options.max_sweeps) +
+                                      " sweeps over the contacts, when impulses still changed by up to " +
                                       console::significant(s.worst_change, 2) + " of the greatest, not by " +
-                                      console::significant(scene_.options.solver_tolerance, 2) + "; docs/scenes.md says what that means");
+                                      console::significant(scene_.options.solver_tolerance, 2) +
+                                      "; docs/scenes.md says what that means");
   }
 
   void output() {
@@ -109,8 +113,8 @@ class Run {
 
   // Outputs first, then the state that says how long they are: whenever the program dies, the state fits.
   void save(bool complete) {
-    const Checkpoint c{scene_.fingerprint, {trajectory_.flush(), contacts_.flush(), energy_.flush()}, complete,
-                       cluster_.state()};
+    const Checkpoint c{
+        scene_.fingerprint, {trajectory_.flush(), contacts_.flush(), energy_.flush()}, complete, cluster_.state()};
     console::write_atomically(state_path_, write_checkpoint(c));
   }
 
@@ -128,7 +132,8 @@ int run(const Scene& scene, const std::string& folder, bool resume, const std::f
   std::error_code error;
   if (!resume) {
     if (fs::exists(state, error))
-      throw console::BadInput("-o " + folder + ": holds a run already; --resume goes on with it, another folder starts anew");
+      throw console::BadInput("-o " + folder +
+                              ": holds a run already; --resume goes on with it, another folder starts anew");
     Cluster cluster = prepared(scene);
     fs::create_directories(folder, error);
     if (error) throw console::BadInput("-o " + folder + ": cannot be made: " + error.message());

@@ -27,7 +27,8 @@ using Materials = std::map<std::string, Material>;
 
 Materials read_materials(const Node& node) {
   Materials materials;
-  if (!node.json().is_object() || node.json().empty()) node.reject("an object of at least one material, {\"name\": {...}}");
+  if (!node.json().is_object() || node.json().empty())
+    node.reject("an object of at least one material, {\"name\": {...}}");
   for (const auto& [name, value] : node.json().items()) {
     const Node material = node.at(name);
     material.allow({"density"});
@@ -47,8 +48,7 @@ const Material& material_of(const Node& node, const Materials& materials) {
 }
 
 AnyLaw read_law(const Node& node) {
-  const std::string law =
-      node.at("name").one_of({"linear", "kuwabara-kono", "tsuji", "hysteretic", "fractional"});
+  const std::string law = node.at("name").one_of({"linear", "kuwabara-kono", "tsuji", "hysteretic", "fractional"});
   if (law == "hysteretic") {
     node.allow({"name", "k1", "k2", "end"});
     const double k1 = node.at("k1").positive(), k2 = node.at("k2").positive();
@@ -84,11 +84,13 @@ Interactions read_interactions(const Node& node, const Materials& materials) {
     entry.allow({"between", "law", "friction"});
     const Node between = entry.at("between");
     if (!between.json().is_array() || between.json().size() != 2) between.reject("two materials [\"a\", \"b\"]");
-    const auto pair = std::minmax(material_of(between.at(0), materials).index, material_of(between.at(1), materials).index);
+    const auto pair =
+        std::minmax(material_of(between.at(0), materials).index, material_of(between.at(1), materials).index);
     const Node law = entry.at("law");
     if (!law.json().is_object()) law.reject("an object with a law's name and parameters");
     Interaction interaction{read_law(law)};
-    if (law.has("end") && law.at("end").one_of({"force", "overlap"}) == "overlap") interaction.end = ContactEnd::overlap;
+    if (law.has("end") && law.at("end").one_of({"force", "overlap"}) == "overlap")
+      interaction.end = ContactEnd::overlap;
     if (entry.has("friction")) interaction.friction = read_friction(entry.at("friction"));
     if (!interactions.emplace(pair, interaction).second) between.reject("a pair that is given once");
   }
@@ -104,9 +106,12 @@ void read_spheres(const Node& node, const Materials& materials, Scene& scene) {
     Sphere s;
     s.radius = entry.at("radius").positive();
     s.material = material.index;
-    if (entry.has("density")) s.density = entry.at("density").positive();
-    else if (material.density) s.density = *material.density;
-    else entry.complain("\"density\" is missing; the sphere or its material must give it");
+    if (entry.has("density"))
+      s.density = entry.at("density").positive();
+    else if (material.density)
+      s.density = *material.density;
+    else
+      entry.complain("\"density\" is missing; the sphere or its material must give it");
     s.position = entry.at("position").vector();
     if (entry.has("velocity")) s.velocity = entry.at("velocity").vector();
     if (entry.has("spin")) s.spin = entry.at("spin").vector();
@@ -149,8 +154,9 @@ void check_pairs(const Node& root, const Materials& materials, const Scene& scen
   for (const Wall& w : scene.setup.walls) ++walls[w.material];
   const auto need = [&](std::size_t a, std::size_t b) {
     if (scene.setup.interactions.contains(std::minmax(a, b))) return;
-    root.at("interactions").complain("no entry between \"" + name_of(materials, a) + "\" and \"" + name_of(materials, b) +
-                                     "\", which can meet; it must be given");
+    root.at("interactions")
+        .complain("no entry between \"" + name_of(materials, a) + "\" and \"" + name_of(materials, b) +
+                  "\", which can meet; it must be given");
   };
   for (const auto& [a, count] : spheres) {
     if (count > 1) need(a, a);
@@ -219,8 +225,8 @@ std::string fingerprint(const std::string& text) {
 Scene read_scene(const std::string& file, const std::string& text) {
   const console::Json json = parse(file, text);
   const Node root(file, text, json);
-  root.allow({"schema", "title", "duration", "output_interval", "step", "gravity", "materials", "interactions", "spheres",
-              "walls", "boxes", "reclosing"});
+  root.allow({"schema", "title", "duration", "output_interval", "step", "gravity", "materials", "interactions",
+              "spheres", "walls", "boxes", "reclosing"});
   if (root.has("schema")) root.at("schema").one_of({"ricochet/scene/1"});
   if (root.has("title")) root.at("title").text();
   Scene scene;

@@ -56,12 +56,19 @@ LawMemory memory(const Json& j) {
 
 Json json(const ContactState& c) {
   const Encounter& r = c.record;
-  return {{"pair", {r.i, r.j}}, {"model", c.model}, {"fresh", c.fresh},
-          {"times", {json(r.begin), json(r.end), json(r.separation)}}, {"how", static_cast<int>(r.how)},
-          {"phases", json(r.phase_begin)}, {"memory", json(c.memory)},
+  return {{"pair", {r.i, r.j}},
+          {"model", c.model},
+          {"fresh", c.fresh},
+          {"times", {json(r.begin), json(r.end), json(r.separation)}},
+          {"how", static_cast<int>(r.how)},
+          {"phases", json(r.phase_begin)},
+          {"memory", json(c.memory)},
           {"approach", {c.approach.overlap, c.approach.rate, c.force, c.lag}},
-          {"impulses", {c.normal_impulse, c.friction.torsion}}, {"sliding", json(c.friction.sliding)},
-          {"rolling", json(c.friction.rolling)}, {"stored", c.stored}, {"speed_scale", c.speed_scale}};
+          {"impulses", {c.normal_impulse, c.friction.torsion}},
+          {"sliding", json(c.friction.sliding)},
+          {"rolling", json(c.friction.rolling)},
+          {"stored", c.stored},
+          {"speed_scale", c.speed_scale}};
 }
 
 ContactState contact(const Json& j) {
@@ -93,9 +100,15 @@ std::string write_checkpoint(const Checkpoint& c) {
   Json contacts = Json::array();
   for (const ContactState& contact : c.state.contacts) contacts.push_back(json(contact));
   const ClusterState& s = c.state;
-  const Json j = {{"schema", schema}, {"scene", c.fingerprint}, {"lengths", c.lengths}, {"complete", c.complete},
-                  {"steps", s.steps}, {"half_positions", json(s.half_positions)}, {"velocities", json(s.velocities)},
-                  {"spins", json(s.spins)}, {"contacts", contacts},
+  const Json j = {{"schema", schema},
+                  {"scene", c.fingerprint},
+                  {"lengths", c.lengths},
+                  {"complete", c.complete},
+                  {"steps", s.steps},
+                  {"half_positions", json(s.half_positions)},
+                  {"velocities", json(s.velocities)},
+                  {"spins", json(s.spins)},
+                  {"contacts", contacts},
                   {"work", {s.lost_normal, s.lost_friction, s.long_range_work}},
                   {"solver", {{"unconverged_steps", s.unconverged}, {"largest_change", s.worst_change}}}};
   return j.dump() + "\n";

@@ -17,11 +17,10 @@ struct Case {
   LawName law;
   ContactEnd end;
 };
-constexpr Case all_cases[] = {
-    {LawName::linear, ContactEnd::overlap},     {LawName::linear, ContactEnd::force},
-    {LawName::kuwabara_kono, ContactEnd::force}, {LawName::tsuji, ContactEnd::overlap},
-    {LawName::tsuji, ContactEnd::force},         {LawName::hysteretic, ContactEnd::force},
-    {LawName::fractional, ContactEnd::overlap},  {LawName::fractional, ContactEnd::force}};
+constexpr Case all_cases[] = {{LawName::linear, ContactEnd::overlap},      {LawName::linear, ContactEnd::force},
+                              {LawName::kuwabara_kono, ContactEnd::force}, {LawName::tsuji, ContactEnd::overlap},
+                              {LawName::tsuji, ContactEnd::force},         {LawName::hysteretic, ContactEnd::force},
+                              {LawName::fractional, ContactEnd::overlap},  {LawName::fractional, ContactEnd::force}};
 
 Calibration calibrated(const Case& c, double tcol, double en, const Settings& settings = {}) {
   const auto outcome = calibrate({c.law, c.end, {tcol, en, table_two}}, settings);
@@ -87,8 +86,7 @@ TEST_CASE("an elastic target is a spring without damping") {
     if (c.law != LawName::hysteretic && c.law != LawName::fractional) CHECK(law.at("c") == 0);
   }
   const auto spring = values(calibrated({LawName::linear, ContactEnd::force}, 1e-4, 1).law);
-  CHECK(spring.at("k") ==
-        Approx(table_two.mass_eff * std::numbers::pi * std::numbers::pi / 1e-8).epsilon(1e-10));
+  CHECK(spring.at("k") == Approx(table_two.mass_eff * std::numbers::pi * std::numbers::pi / 1e-8).epsilon(1e-10));
 }
 
 TEST_CASE("the fractional law holds k, and another k changes neither alpha nor c^alpha k^(1-alpha)") {
@@ -139,8 +137,8 @@ TEST_CASE("a held k that no c can go with is infeasible, with the range of k") {
   const auto spring = missed({LawName::fractional, ContactEnd::force, elastic, 5000.0});
   CHECK(spring.quantity == "stiffness");
   CHECK(spring.lowest == spring.highest);
-  CHECK(std::holds_alternative<Calibration>(
-      calibrate({LawName::fractional, ContactEnd::force, elastic, spring.lowest})));
+  CHECK(
+      std::holds_alternative<Calibration>(calibrate({LawName::fractional, ContactEnd::force, elastic, spring.lowest})));
   const Target nearly{1e-4, 0.9999, table_two};
   const auto narrow = missed({LawName::fractional, ContactEnd::force, nearly, 4.0});
   CHECK(narrow.lowest > 4);
@@ -185,13 +183,15 @@ TEST_CASE("the range that is named is reached to its last digit, and nothing bel
   for (const Case& c : {Case{LawName::fractional, ContactEnd::overlap}, Case{LawName::fractional, ContactEnd::force},
                         Case{LawName::linear, ContactEnd::overlap}, Case{LawName::hysteretic, ContactEnd::force}}) {
     CAPTURE(text(c.law), text(c.end));
-    const auto out = missed({c.law, c.end, {1e-4, 1e-310, table_two}}, {.method = Method::direct, .tolerance = tolerance});
+    const auto out =
+        missed({c.law, c.end, {1e-4, 1e-310, table_two}}, {.method = Method::direct, .tolerance = tolerance});
     calibrated(c, 1e-4, out.lowest, {.method = Method::direct, .tolerance = tolerance});
     CHECK(std::holds_alternative<Infeasible>(calibrate({c.law, c.end, {1e-4, 0.98 * out.lowest, table_two}},
                                                        {.method = Method::direct, .tolerance = tolerance})));
   }
   // Of the fractional law by overlap, 1e-15/e_n² is the tolerance at 0.003162….
-  CHECK(missed({LawName::fractional, ContactEnd::overlap, {1e-4, 1e-3, table_two}}).lowest == Approx(0.00317).epsilon(1e-12));
+  CHECK(missed({LawName::fractional, ContactEnd::overlap, {1e-4, 1e-3, table_two}}).lowest ==
+        Approx(0.00317).epsilon(1e-12));
 }
 
 TEST_CASE("where the search misses the tolerance the direct solution is answered, and said to be") {

@@ -13,11 +13,10 @@ struct Case {
   LawName law;
   ContactEnd end;
 };
-constexpr Case tabulated[] = {
-    {LawName::linear, ContactEnd::overlap},      {LawName::linear, ContactEnd::force},
-    {LawName::kuwabara_kono, ContactEnd::force}, {LawName::tsuji, ContactEnd::overlap},
-    {LawName::tsuji, ContactEnd::force},         {LawName::hysteretic, ContactEnd::force},
-    {LawName::fractional, ContactEnd::force}};
+constexpr Case tabulated[] = {{LawName::linear, ContactEnd::overlap},      {LawName::linear, ContactEnd::force},
+                              {LawName::kuwabara_kono, ContactEnd::force}, {LawName::tsuji, ContactEnd::overlap},
+                              {LawName::tsuji, ContactEnd::force},         {LawName::hysteretic, ContactEnd::force},
+                              {LawName::fractional, ContactEnd::force}};
 
 AnyLaw by_table(const DirectCalibrator& calibrator, const Request& request) {
   const auto answer = calibrator(request);
@@ -100,7 +99,8 @@ TEST_CASE("what the tables leave out is answered as calibrate answers it") {
 TEST_CASE("the direct calibrator names what it cannot use") {
   const DirectCalibrator calibrator;
   const Impact impact{0.5, 7e-6};
-  CHECK_THROWS_WITH(calibrator({LawName::linear, ContactEnd::force, {0, 0.5, impact}}), Catch::StartsWith("tcol = 0: must be"));
+  CHECK_THROWS_WITH(calibrator({LawName::linear, ContactEnd::force, {0, 0.5, impact}}),
+                    Catch::StartsWith("tcol = 0: must be"));
   CHECK_THROWS_WITH(calibrator({LawName::linear, ContactEnd::force, {1, 2, impact}}), "en = 2: must be in (0, 1]");
   CHECK_THROWS_WITH(calibrator({LawName::hysteretic, ContactEnd::overlap, {1, 0.5, impact}}),
                     "end = overlap: must be force for the law hysteretic");

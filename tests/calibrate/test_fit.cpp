@@ -21,7 +21,8 @@ std::vector<double> speeds(int n) {
   return v;
 }
 
-/// What `law` does at these speeds, by collide, with Gaussian errors of the given sizes; noise = 0: stated, but not made.
+/// What `law` does at these speeds, by collide, with Gaussian errors of the given sizes; noise = 0: stated, but not
+/// made.
 std::vector<Measurement> measured(const AnyLaw& law, double en_sigma, double tcol_share, std::mt19937_64& random,
                                   double noise = 1) {
   std::normal_distribution<double> normal;
@@ -192,7 +193,8 @@ TEST_CASE("what the data cannot tell is said") {
     CHECK(said(vague, "is not determined"));
     CHECK_FALSE(said(vague, "misfit"));
   }
-  // No scatter at all: errors are 0, correlations stay what they are, and no law is hundreds of AIC better for its rounding.
+  // No scatter at all: errors are 0, correlations stay what they are, and no law is hundreds of AIC better for its
+  // rounding.
   const std::vector<Measurement> equal{{1, 0.5}, {2, 0.5}, {4, 0.5}, {8, 0.5}};
   const Fit linear = fit_law({LawName::linear, ContactEnd::force, mass}, equal), two = fit_law(follows, equal);
   CHECK(std::abs(two.correlations.at(0).at(1)) < 1);
@@ -247,7 +249,8 @@ TEST_CASE("a fit of one number is judged by the textbook's formulas") {
   };
   const double beta = damping_of_restitution(mean, ContactEnd::overlap);
   const double slope = (restitution_of_damping(beta + 1e-6, ContactEnd::overlap) -
-                        restitution_of_damping(beta - 1e-6, ContactEnd::overlap)) / 2e-6;
+                        restitution_of_damping(beta - 1e-6, ContactEnd::overlap)) /
+                       2e-6;
 
   const double sigma = 0.03, chi2 = squares / (sigma * sigma);
   const Fit weighted = fitted(sigma);

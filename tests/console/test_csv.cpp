@@ -51,7 +51,8 @@ TEST_CASE("a file comes in blocks of whole lines, whatever the block size") {
     while (source.next(block)) {
       CHECK(block.first_line == line);
       all += block.text;
-      for (std::string_view rest = block.text; !rest.empty(); ++line) CHECK(take_line(rest).find('\r') == std::string_view::npos);
+      for (std::string_view rest = block.text; !rest.empty(); ++line)
+        CHECK(take_line(rest).find('\r') == std::string_view::npos);
     }
     CHECK(all == text);
     CHECK(line == 202);
@@ -64,7 +65,10 @@ TEST_CASE("what is not a file of lines is refused") {
   std::ofstream(folder / "long") << "a\n" << std::string(3 * LineBlocks::longest_line, 'x');
   LineBlocks source(folder / "long");
   LineBlocks::Block block;
-  const auto drain = [&] { while (source.next(block)) {} };
+  const auto drain = [&] {
+    while (source.next(block)) {
+    }
+  };
   CHECK_THROWS_WITH(drain(), Catch::Contains("long:2: line of more than 1048576 bytes"));
   CHECK_THROWS_WITH(LineBlocks(folder / ""), Catch::EndsWith("cannot be read: is a directory"));
 }

@@ -15,7 +15,9 @@ TEST_CASE("gnuplot draws SVG and PNG beside the data, in any locale") {
   ::setenv("LC_ALL", locale, 1);
   const TemporaryFolder folder;
   OutputFolder plots(folder / "plots");
-  draw({"line", "A straight line", "plot 'line.csv' skip 1 using 1:2 with lines title 'ζ [µm]'",
+  draw({"line",
+        "A straight line",
+        "plot 'line.csv' skip 1 using 1:2 with lines title 'ζ [µm]'",
         {{"line.csv", "x,y\n0,0\n1,1\n"}}},
        plots);
   plots.commit();

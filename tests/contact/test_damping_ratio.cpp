@@ -32,7 +32,8 @@ TEST_CASE("restitution and damping ratio are each other's inverse for both ends"
     }
   CHECK(damping_of_restitution(1, ContactEnd::force) == 0);
   CHECK(damping_of_restitution(1, ContactEnd::overlap) == 0);
-  for (const auto end : {ContactEnd::force, ContactEnd::overlap}) CHECK_FALSE(std::signbit(damping_of_restitution(1, end)));
+  for (const auto end : {ContactEnd::force, ContactEnd::overlap})
+    CHECK_FALSE(std::signbit(damping_of_restitution(1, end)));
 }
 
 TEST_CASE("small losses keep their relative digits") {

@@ -103,8 +103,10 @@ TEST_CASE("FractionalArms refuse a kernel of another order or with too many arms
 
 TEST_CASE("A collision by FractionalArms has the restitution of the closed form") {
   // Steps fine enough that the second-order step error is far below the bound; e_n is −E_{2−α,1}(−z*).
-  struct { double alpha, en, tau; } cases[] = {{0.03125, 0.94151044447350612861, 3.1167757923696375332},
-                                               {0.0625, 0.88530126103356068260, 3.0930202460162310133}};
+  struct {
+    double alpha, en, tau;
+  } cases[] = {{0.03125, 0.94151044447350612861, 3.1167757923696375332},
+               {0.0625, 0.88530126103356068260, 3.0930202460162310133}};
   for (const auto& c : cases) {
     CAPTURE(c.alpha);
     const double dt = 3.2 / 4000;

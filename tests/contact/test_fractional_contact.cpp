@@ -84,7 +84,8 @@ TEST_CASE("up to the last alpha below 1 the contact is right, as far as 2 - alph
     CHECK(agree(c.z_star, row.z_star, 1e-12));
     CHECK(agree(c.en, row.en, 1e-12));
   }
-  CHECK_THROWS_WITH(fractional_contact(1 - 1.2e-16), Catch::StartsWith("alpha = 0.9999999999999999: must be in [0, 1)"));
+  CHECK_THROWS_WITH(fractional_contact(1 - 1.2e-16),
+                    Catch::StartsWith("alpha = 0.9999999999999999: must be in [0, 1)"));
 }
 
 TEST_CASE("a spring keeps the whole velocity, and nothing keeps more") {
@@ -131,9 +132,12 @@ TEST_CASE("the trajectory satisfies m zeta'' + R = 0 for every conversion degree
     for (double s : {0.3, 1.0, 2.2}) {
       INFO("alpha = " << alpha << ", s = " << s);
       const double t = s * scale, h = 1e-3 * scale;
-      const double slope = (8 * (path.overlap(t + h) - path.overlap(t - h)) - (path.overlap(t + 2 * h) - path.overlap(t - 2 * h))) / (12 * h);
+      const double slope =
+          (8 * (path.overlap(t + h) - path.overlap(t - h)) - (path.overlap(t + 2 * h) - path.overlap(t - 2 * h))) /
+          (12 * h);
       CHECK(std::abs(slope - path.rate(t)) < 1e-10 * 0.5);
-      const double acceleration = (8 * (path.rate(t + h) - path.rate(t - h)) - (path.rate(t + 2 * h) - path.rate(t - 2 * h))) / (12 * h);
+      const double acceleration =
+          (8 * (path.rate(t + h) - path.rate(t - h)) - (path.rate(t + 2 * h) - path.rate(t - 2 * h))) / (12 * h);
       CHECK(std::abs(7.06858e-6 * acceleration + path.force(t)) < 1e-9 * 7.06858e-6 * 0.5 / scale);
     }
     CHECK(path.overlap(0) == 0);

@@ -21,7 +21,8 @@ DiscFriction disc_quadrature(double lambda) {
   // Point of rest at (−λ, 0); at (s, φ) from it the direction of motion is (−sin φ, cos φ), sliding is along y.
   // Chord: s between the roots of s² − 2λ s cos φ + λ² − 1 = 0.
   const auto integrand = [&](double angle) -> std::pair<double, double> {
-    const double c = lambda * std::cos(angle), root = std::sqrt(std::max(0.0, 1 - std::pow(lambda * std::sin(angle), 2)));
+    const double c = lambda * std::cos(angle),
+                 root = std::sqrt(std::max(0.0, 1 - std::pow(lambda * std::sin(angle), 2)));
     const double far = c + root, near = lambda > 1 ? c - root : 0.0;
     const double area = (far * far - near * near) / 2, moment = (far * far * far - near * near * near) / 3;
     // Moment about the disc's centre: (ρ × direction)_z = s − λ cos φ.
@@ -59,7 +60,7 @@ TEST_CASE("F and torque of the sliding, spinning disc equal the disc integral") 
 TEST_CASE("F and torque have the limits of pure spinning, pure sliding and the kink between") {
   CHECK(disc_friction(0).force == 0);
   CHECK(disc_friction(0).torque == Approx(2.0 / 3).epsilon(1e-15));
-  CHECK(disc_friction(1e-9).force == Approx(1e-9).epsilon(1e-14));  // F → λ
+  CHECK(disc_friction(1e-9).force == Approx(1e-9).epsilon(1e-14));     // F → λ
   CHECK(disc_friction(1e9).torque == Approx(0.25e-9).epsilon(1e-14));  // 𝒯 → 1/(4λ)
   CHECK(disc_friction(std::numeric_limits<double>::infinity()).force == 1);
   CHECK(disc_friction(std::numeric_limits<double>::infinity()).torque == 0);

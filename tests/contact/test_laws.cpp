@@ -49,8 +49,7 @@ TEST_CASE("the forces are the formulas of the model") {
   CHECK(Linear(5000, 0.1).force(a, {}) == Approx(5000 * 4e-6 - 0.1 * 0.25).epsilon(1e-15));
   CHECK(KuwabaraKono(1.4e6, 34).force(a, {}) == Approx(1.4e6 * 8e-9 - 34 * 2e-3 * 0.25).epsilon(1e-14));
   CHECK(Tsuji(1.4e6, 2).force(a, {}) == Approx(1.4e6 * 8e-9 - 2 * std::pow(4e-6, 0.25) * 0.25).epsilon(1e-14));
-  CHECK(Fractional(5000, 0.1, 0.25).coefficient() ==
-        Approx(std::pow(0.1, 0.25) * std::pow(5000, 0.75)).epsilon(1e-14));
+  CHECK(Fractional(5000, 0.1, 0.25).coefficient() == Approx(std::pow(0.1, 0.25) * std::pow(5000, 0.75)).epsilon(1e-14));
 }
 
 TEST_CASE("a fractional law of order 0 is its k, of order 1 its c") {
@@ -75,8 +74,8 @@ TEST_CASE("power is either stored or dissipated") {
 
 namespace {
 
-/// Drives the law through random strokes of steady rate and compares, at a random place of each, force·rate with what is
-/// stored and burnt. Returns how often the force was attractive there.
+/// Drives the law through random strokes of steady rate and compares, at a random place of each, force·rate with what
+/// is stored and burnt. Returns how often the force was attractive there.
 template <class Law>
 int check_contract(const Law& law, double scale, double speed, double shortest_time, unsigned seed) {
   std::mt19937_64 random(seed);
@@ -96,7 +95,8 @@ int check_contract(const Law& law, double scale, double speed, double shortest_t
     const double dt = std::min(1e-4 * shortest_time, 1e-4 * when);
     const auto stored = [&](double t) { return law.stored_energy(at(t), after(t)); };
     const double force = law.force(at(when), after(when)), burnt = law.dissipated_power(at(when), after(when));
-    const double kink = law.force(at(when + dt), after(when + dt)) - 2 * force + law.force(at(when - dt), after(when - dt));
+    const double kink =
+        law.force(at(when + dt), after(when + dt)) - 2 * force + law.force(at(when - dt), after(when - dt));
     const double growth = (stored(when + dt) - stored(when - dt)) / (2 * dt);
     CHECK(burnt >= 0);
     // A central difference leaves (dt/time)² = 1e-8 of the power, and the rounding of the stored energy over dt.

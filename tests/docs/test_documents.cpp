@@ -48,7 +48,8 @@ struct Ran {
 Ran run(const std::string& command, const TemporaryFolder& folder) {
   const std::string script = folder / ".command";
   std::ofstream(script) << "cd '" << folder.path().string() << "'\nexport LC_ALL=C.UTF-8 PATH='" << RICOCHET_BIN
-                        << "':\"$PATH\"\nexec 2>&1 </dev/null\n" << command << "\n";
+                        << "':\"$PATH\"\nexec 2>&1 </dev/null\n"
+                        << command << "\n";
   std::FILE* pipe = ::popen(("bash " + script).c_str(), "r");
   std::string printed;
   std::array<char, 4096> chunk{};
@@ -168,8 +169,7 @@ TEST_CASE("console blocks are read as they are meant") {
   const auto commands = console_commands(lines);
   REQUIRE(commands.size() == 2);
   CHECK(commands[0].text == "a   b");
-  CHECK(slice(lines, commands[0].first_output, commands[0].last_output) ==
-        std::vector<std::string>{"out", "", "more"});
+  CHECK(slice(lines, commands[0].first_output, commands[0].last_output) == std::vector<std::string>{"out", "", "more"});
   CHECK(commands[0].exit_code == 2);
   CHECK(commands[1].exit_code == 0);
   CHECK_THROWS(console_commands(lines_of("```console\n$ a\n")));
@@ -187,7 +187,9 @@ TEST_CASE("ricochet.hpp includes every public header") {
   const std::string text{std::istreambuf_iterator<char>(all), {}};
   for (const auto& entry : fs::recursive_directory_iterator(headers)) {
     const std::string name = fs::relative(entry.path(), headers).string();
-    if (entry.path().extension() != ".hpp" || name == "ricochet/ricochet.hpp" || name.find("/detail/") != std::string::npos) continue;
+    if (entry.path().extension() != ".hpp" || name == "ricochet/ricochet.hpp" ||
+        name.find("/detail/") != std::string::npos)
+      continue;
     CHECK_THAT(text, Catch::Contains("#include <" + name + ">"));
   }
 }

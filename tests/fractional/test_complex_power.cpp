@@ -44,7 +44,8 @@ TEST_CASE("Complex powers keep their bound, and so do powers less one") {
       complex_powers_less_one(count, logs.size.data(), logs.argument.data(), e, less.re.data(), less.im.data());
     long double worst = 0, worst_less = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      const long double log_size = static_cast<long double>(e) * logs.size[k], turn = static_cast<long double>(e) * logs.argument[k];
+      const long double log_size = static_cast<long double>(e) * logs.size[k],
+                        turn = static_cast<long double>(e) * logs.argument[k];
       const auto exact = std::polar(std::exp(log_size), turn);
       const long double rounded = 1.2e-16L * (std::abs(log_size) + std::abs(turn));
       worst = std::max(worst, std::abs(power[k] - exact) / (std::abs(exact) * (5e-16L + rounded)));

@@ -30,9 +30,12 @@ double moment(const MemoryKernel& kernel, int m) {
   long double sum = kernel.spring() * std::pow(d, m + 1) / (m + 1);
   for (const Arm& arm : kernel.arms()) {
     const long double s = arm.rate, x = s * d;
-    if (m == 0) sum += arm.strength * -std::expm1(-x) / s;
-    else if (x < 0.01L) sum += arm.strength * d * d * (0.5L - x / 3 + x * x / 8 - x * x * x / 30 + x * x * x * x / 144);
-    else sum += arm.strength * (-std::expm1(-x) - x * std::exp(-x)) / (s * s);
+    if (m == 0)
+      sum += arm.strength * -std::expm1(-x) / s;
+    else if (x < 0.01L)
+      sum += arm.strength * d * d * (0.5L - x / 3 + x * x / 8 - x * x * x / 30 + x * x * x * x / 144);
+    else
+      sum += arm.strength * (-std::expm1(-x) - x * std::exp(-x)) / (s * s);
   }
   return static_cast<double>(sum);
 }
@@ -44,21 +47,22 @@ struct NineArms {
 
 // Best approximations by Remez' exchange in 40 digits; the test needs of them only that their deviation alternates.
 constexpr NineArms nine_arms[] = {
-    {0.8, 0.0023106437458711143,
-     {0.0099714937263861612, 0.016076198858676293, 0.024356591969878348, 0.037735225680344023,
-      0.060325783243338848, 0.098269944317252613, 0.16197856856514508, 0.27294834602728603, 0.50538671504895754},
+    {0.8,
+     0.0023106437458711143,
+     {0.0099714937263861612, 0.016076198858676293, 0.024356591969878348, 0.037735225680344023, 0.060325783243338848,
+      0.098269944317252613, 0.16197856856514508, 0.27294834602728603, 0.50538671504895754},
      {0.012040041652687764, 0.045547939663769727, 0.10891316349332707, 0.22201025999600925, 0.42616737716245823,
       0.80126218345943201, 1.4985507774044613, 2.814821979088854, 5.4394440102898281}},
-    {0.9, 0.00065280331281122698,
-     {0.003471369629712342, 0.0063072585059682969, 0.010394794110558759, 0.017282392787731425,
-      0.029475278588555003, 0.051098556417902109, 0.089561722080788079, 0.16051010905554184,
-      0.31687342601908755},
+    {0.9,
+     0.00065280331281122698,
+     {0.003471369629712342, 0.0063072585059682969, 0.010394794110558759, 0.017282392787731425, 0.029475278588555003,
+      0.051098556417902109, 0.089561722080788079, 0.16051010905554184, 0.31687342601908755},
      {0.012884564145079255, 0.047250001006754573, 0.11171219573529062, 0.22651845043522106, 0.43358512620619896,
       0.81366618453448953, 1.5193564854760108, 2.849528358962816, 5.497142927895128}},
-    {0.99, 3.8748276553824997e-5,
+    {0.99,
+     3.8748276553824997e-5,
      {0.00024600183739970419, 0.00049556742336716934, 0.00087945491832697962, 0.0015567694959783315,
-      0.0028129383803769859, 0.0051559023014982381, 0.0095481181306538618, 0.018083100673312656,
-      0.037808828124332973},
+      0.0028129383803769859, 0.0051559023014982381, 0.0095481181306538618, 0.018083100673312656, 0.037808828124332973},
      {0.013656414631706208, 0.048789274187247467, 0.11423870471978779, 0.2305888191883657, 0.44028526060442933,
       0.82487012091268273, 1.5381435418480883, 2.8808528807850353, 5.5491845284690435}}};
 
@@ -71,8 +75,10 @@ std::vector<double> waves(const NineArms& sum) {
     double value = sum.spring;
     for (int j = 0; j < 9; ++j) value += sum.strength[j] * std::exp(-sum.rate[j] * t);
     const double deviation = value * std::tgamma(1 - sum.alpha) * std::pow(t, sum.alpha) - 1;
-    if (tops.empty() || tops.back() * deviation < 0) tops.push_back(deviation);
-    else if (std::fabs(deviation) > std::fabs(tops.back())) tops.back() = deviation;
+    if (tops.empty() || tops.back() * deviation < 0)
+      tops.push_back(deviation);
+    else if (std::fabs(deviation) > std::fabs(tops.back()))
+      tops.back() = deviation;
   }
   return tops;
 }
@@ -103,8 +109,7 @@ TEST_CASE("A memory kernel shares both moments with the true one below its short
     const MemoryKernel kernel = memory_kernel(alpha, d, 3e-5, 1e-10);
     CHECK(moment(kernel, 0) + kernel.dashpot() ==
           Approx(std::pow(d, 1 - alpha) / std::tgamma(2 - alpha)).epsilon(1e-13));
-    CHECK(moment(kernel, 1) ==
-          Approx(std::pow(d, 2 - alpha) / ((2 - alpha) * std::tgamma(1 - alpha))).epsilon(1e-12));
+    CHECK(moment(kernel, 1) == Approx(std::pow(d, 2 - alpha) / ((2 - alpha) * std::tgamma(1 - alpha))).epsilon(1e-12));
   }
 }
 
@@ -119,9 +124,9 @@ TEST_CASE("A memory kernel spends few arms") {
   }
 }
 
-// Why the bound above is ten arms and not nine. If the deviation of one sum alternates over 20 waves of at least E, a second
-// sum that stays below E everywhere would differ from it by an exponential sum of 19 terms with 19 zeros; it has at most
-// 18. So no spring with nine arms, of whatever sign, does better than the lowest of these waves.
+// Why the bound above is ten arms and not nine. If the deviation of one sum alternates over 20 waves of at least E, a
+// second sum that stays below E everywhere would differ from it by an exponential sum of 19 terms with 19 zeros; it has
+// at most 18. So no spring with nine arms, of whatever sign, does better than the lowest of these waves.
 TEST_CASE("No nine arms hold an error of 1e-6 over a ratio of 100 for every order") {
   const double lowest[] = {1.07e-6, 1.42e-6, 1.81e-6};
   for (int i = 0; i < 3; ++i) {

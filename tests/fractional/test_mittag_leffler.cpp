@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-using ricochet::MittagLeffler;
 using ricochet::mittag_leffler;
+using ricochet::MittagLeffler;
 
 namespace {
 
@@ -49,7 +49,8 @@ std::vector<Row> rows(const std::string& file) {
 void compare_with_multiprecision(int count, unsigned seed) {
   std::mt19937 random(seed);
   const auto uniform = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-  const std::array special_a{0.1, 0.3, 0.5, 0.75, 0.99, 1.0, 1 + 1e-9, 1.001, 1.0625, 1.5, 1.99, 2.0, 2.0001, 2.5, 2.999, 3.0};
+  const std::array special_a{0.1,    0.3, 0.5,  0.75, 0.99,   1.0, 1 + 1e-9, 1.001,
+                             1.0625, 1.5, 1.99, 2.0,  2.0001, 2.5, 2.999,    3.0};
   double worst = 0;
   for (int i = 0; i < count; ++i) {
     const double a = uniform(0, 1) < 0.5 ? special_a[random() % special_a.size()] : uniform(0.1, 3);
@@ -127,8 +128,10 @@ TEST_CASE("the tabulated reference values are those of the multiprecision series
 // What the switch points in core/src/fractional rest on: worst error in units of the promise over b, by a and x, of the
 // contour sum and of the prepared form. Run with: test_fractional "[.map]"
 TEST_CASE("error map of E", "[.map]") {
-  const std::array orders{1e-6, 0.01, 0.09, 0.1, 0.4, 0.8, 0.95, 0.97, 0.9999, 1.0, 1.0001, 1.04, 1.06, 1.2, 1.5, 1.8, 1.97, 2.0, 2.03, 2.4, 2.8, 3.0};
-  const std::array arguments{-8e5, -3e4, -900.0, -41.0, -31.0, -29.0, -16.1, -15.9, -6.0, -1.01, -0.99, -0.1, 0.6, 2.1, 4.9};
+  const std::array orders{1e-6, 0.01, 0.09, 0.1, 0.4, 0.8,  0.95, 0.97, 0.9999, 1.0, 1.0001,
+                          1.04, 1.06, 1.2,  1.5, 1.8, 1.97, 2.0,  2.03, 2.4,    2.8, 3.0};
+  const std::array arguments{-8e5, -3e4,  -900.0, -41.0, -31.0, -29.0, -16.1, -15.9,
+                             -6.0, -1.01, -0.99,  -0.1,  0.6,   2.1,   4.9};
   std::ostringstream map;
   map << "a \\ x: contour/prepared";
   for (double x : arguments) map << '\t' << x;

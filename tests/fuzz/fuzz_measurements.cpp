@@ -1,5 +1,5 @@
-// Any text as a file of measurements: a fit whose every number is finite, or one line that says why there is none. The length
-// of the input chooses law and end.
+// Any text as a file of measurements: a fit whose every number is finite, or one line that says why there is none. The
+// length of the input chooses law and end.
 
 #include "measurements.hpp"
 #include "memory_file.hpp"

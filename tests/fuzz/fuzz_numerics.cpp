@@ -1,5 +1,5 @@
-// Any doubles to the numerical interface: an answer that is finite wherever it is called good, or the exception that the
-// header names. The first byte chooses the function, the rest are its arguments.
+// Any doubles to the numerical interface: an answer that is finite wherever it is called good, or the exception that
+// the header names. The first byte chooses the function, the rest are its arguments.
 
 #include <calibrate/calibration.hpp>
 #include <ricochet/ricochet.hpp>
@@ -134,10 +134,12 @@ void a_cluster(Arguments& in) {
   ClusterSetup setup;
   const auto vector = [&] { return Vec3{in.number(), in.number(), in.number()}; };
   for (int k = 0; k < 2; ++k)
-    setup.spheres.push_back({in.share(), in.number(), {in.share(), in.share(), 2.0 * k + in.share()}, vector(), vector(), 0});
+    setup.spheres.push_back(
+        {in.share(), in.number(), {in.share(), in.share(), 2.0 * k + in.share()}, vector(), vector(), 0});
   if (which & 128) setup.walls.push_back({vector(), vector(), 0});
   const double step = in.number(), mu = in.share();
-  setup.interactions.insert({{0, 0}, {a_law(in, which), Friction(mu, mu, 0), which & 64 ? ContactEnd::overlap : ContactEnd::force}});
+  setup.interactions.insert(
+      {{0, 0}, {a_law(in, which), Friction(mu, mu, 0), which & 64 ? ContactEnd::overlap : ContactEnd::force}});
   setup.gravity = {0, 0, in.share()};
   Cluster cluster(setup, {.step = step, .longest_contact = 100 * step, .kernel_tolerance = 1e-3});
   if (!cluster.advance(100)) return;

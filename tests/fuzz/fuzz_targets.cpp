@@ -1,5 +1,5 @@
-// Any text as a file of targets: one row out per row in, as many fields in each as the header names, numbers that are finite
-// in every row marked calibrated; or one line that says what is wrong with the header.
+// Any text as a file of targets: one row out per row in, as many fields in each as the header names, numbers that are
+// finite in every row marked calibrated; or one line that says what is wrong with the header.
 
 #include "memory_file.hpp"
 #include "target_rows.hpp"

@@ -46,7 +46,8 @@ constexpr std::array phases{0.03, 0.25, 0.5, 0.75, 0.97};
 
 }  // namespace
 
-TEST_CASE("A bounce has the restitution of the conversion degree, to second order in the step, wherever the touch falls") {
+TEST_CASE(
+    "A bounce has the restitution of the conversion degree, to second order in the step, wherever the touch falls") {
   for (double alpha : {0.05, 0.3196786, 0.6}) {
     const double en = fractional_contact(alpha).en;
     std::vector<double> worst, leak;

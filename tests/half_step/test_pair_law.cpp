@@ -69,6 +69,7 @@ TEST_CASE("The linear equivalent has the same collision time and restitution") {
 TEST_CASE("A target that no contact meets is named") {
   Contacts contacts;
   CHECK_THROWS_WITH(PairLaw::from_target(0, 0.5, std::ref(contacts)), Catch::Contains("collisionTime = 0"));
-  CHECK_THROWS_WITH(PairLaw::from_target(1e-4, 1.5, std::ref(contacts)), Catch::Contains("coefficientRestitution = 1.5"));
+  CHECK_THROWS_WITH(PairLaw::from_target(1e-4, 1.5, std::ref(contacts)),
+                    Catch::Contains("coefficientRestitution = 1.5"));
   CHECK_THROWS_WITH(PairLaw::from_parameters(-1, 0.1, 0.2, std::ref(contacts)), Catch::Contains("k = -1"));
 }

@@ -34,14 +34,16 @@ TEST_CASE("the rate at a step's end is exact for rates as smooth as its points a
   const auto linear = [](double t) { return 2 - 3 * t; };
   const auto quadratic = [](double t) { return 2 - 3 * t + 5 * t * t; };
   CHECK(half_step::rate_at_end(linear(-0.5), linear(-1.5), 0) == Approx(linear(0)).epsilon(1e-15));
-  CHECK(half_step::rate_at_end(quadratic(-0.5), quadratic(-1.5), quadratic(-2.5)) == Approx(quadratic(0)).epsilon(1e-14));
+  CHECK(half_step::rate_at_end(quadratic(-0.5), quadratic(-1.5), quadratic(-2.5)) ==
+        Approx(quadratic(0)).epsilon(1e-14));
 }
 
 TEST_CASE("a force about to end carries what is left of its ramp, any other is left as it is") {
   // A ramp with the slope s that ends θ of a step ahead; the area from half a step before on is the weight's.
   const double slope = 3;
   for (double theta : {0.1, 0.5, 0.99})
-    CHECK(half_step::last_weighted(slope * theta, slope * (theta + 1)) == Approx(slope * start_weight(1, theta)).epsilon(1e-12));
+    CHECK(half_step::last_weighted(slope * theta, slope * (theta + 1)) ==
+          Approx(slope * start_weight(1, theta)).epsilon(1e-12));
   CHECK(half_step::last_weighted(1.0, 1.9) == 1.0);  // it lasts longer than a step
   CHECK(half_step::last_weighted(2.0, 1.0) == 2.0);  // it rises
   CHECK(half_step::last_weighted(-1.0, 1.0) == -1.0);

@@ -1,5 +1,6 @@
-// The hot paths, one after the other, for callgrind to count the instructions of. Each is run once before it is counted, so
-// that tables are made and symbols bound; what is being counted is told to callgrind by the requests of its header.
+// The hot paths, one after the other, for callgrind to count the instructions of. Each is run once before it is
+// counted, so that tables are made and symbols bound; what is being counted is told to callgrind by the requests of its
+// header.
 #include "../../bench/workloads.hpp"
 #include "target_rows.hpp"
 
@@ -42,11 +43,15 @@ void mittag_leffler_paths() {
   const auto prepared = [](const std::string& name, double a, double b, double low, double high) {
     const MittagLeffler e(a, b);
     const auto x = workloads::arguments(low, high);
-    count_warm(name, x.size(), [&] { for (const double value : x) sink = e(value); });
+    count_warm(name, x.size(), [&] {
+      for (const double value : x) sink = e(value);
+    });
   };
   const auto cold = [](const std::string& name, double a, double b, double low, double high) {
     const auto x = workloads::arguments(low, high);
-    count_warm(name, x.size(), [&] { for (const double value : x) sink = mittag_leffler(a, b, value); });
+    count_warm(name, x.size(), [&] {
+      for (const double value : x) sink = mittag_leffler(a, b, value);
+    });
   };
   prepared("mittag_leffler_near", 1.68, 1, -10, 0);
   prepared("mittag_leffler_far", 1.5, 1, -1e4, -16);
@@ -99,9 +104,8 @@ void memory() {
   const ArmsBlock block(law, step, arms, Instructions::baseline);
   const auto before = workloads::arguments(1e-6, 2e-6, contacts), after = workloads::arguments(2e-6, 3e-6, contacts);
   std::vector<double> elongation(contacts * arms), held(contacts);
-  count_warm("arms_block_step", contacts, [&] {
-    block.advance(contacts, elongation.data(), before.data(), after.data(), held.data());
-  });
+  count_warm("arms_block_step", contacts,
+             [&] { block.advance(contacts, elongation.data(), before.data(), after.data(), held.data()); });
 }
 
 template <class Law>
@@ -119,7 +123,8 @@ void columns() {
   const auto plate = PressedColumn::plate<Fractional>(LawKind::fractional);
   const auto pair = PressedColumn::pair<Fractional>(LawKind::fractional);
   const MemoryKernel kernel = workloads::kernel_of(12, pair.alpha(), PressedColumn::step);
-  column("column_fractional", FractionalArms(plate, kernel, PressedColumn::step), FractionalArms(pair, kernel, PressedColumn::step));
+  column("column_fractional", FractionalArms(plate, kernel, PressedColumn::step),
+         FractionalArms(pair, kernel, PressedColumn::step));
 }
 
 void clusters() {

@@ -28,7 +28,9 @@ inline ricochet::Tsuji tsuji(double mass_eff) { return {1.2e11 * mass_eff, 1.2e5
 inline ricochet::KuwabaraKono kuwabara_kono(double mass_eff) { return {1.2e11 * mass_eff, 6e5 * mass_eff}; }
 
 /// Fractional law of the given conversion degree with a contact of 100 to 160 µs.
-inline ricochet::Fractional fractional(double mass_eff, double alpha) { return {1e9 * mass_eff, 1e4 * mass_eff, alpha}; }
+inline ricochet::Fractional fractional(double mass_eff, double alpha) {
+  return {1e9 * mass_eff, 1e4 * mass_eff, alpha};
+}
 
 inline ricochet::ColumnOptions options(int steps_per_contact, ricochet::ContactEnd end) {
   return {.step = tcol / steps_per_contact, .duration = 10, .end = end};

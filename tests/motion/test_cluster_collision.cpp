@@ -73,8 +73,10 @@ TEST_CASE("two spheres head on reproduce the binary collision at second order") 
   CAPTURE(std::string(name(law)));
   const Collision exact = std::visit(
       [&, how = end]<class Law>(const Law& l) {
-        if constexpr (std::same_as<Law, Fractional>) return Collision{};
-        else return collide(l, {0.5, mass_eff}, {.end = how});
+        if constexpr (std::same_as<Law, Fractional>)
+          return Collision{};
+        else
+          return collide(l, {0.5, mass_eff}, {.end = how});
       },
       law);
   check_order(errors(law, end, exact.en, exact.tcol, 50, 12), 2);
@@ -107,7 +109,8 @@ TEST_CASE("fractional spheres head on reproduce the closed form at order 2-alpha
   const FractionalContact exact = fractional_contact(alpha);
   const double tcol = 1e-4, coefficient = mass_eff * exact.z_star / std::pow(tcol, 2 - alpha);
   // k = c in their units makes c^α k^{1−α} that coefficient.
-  check_order(errors(Fractional(coefficient, coefficient, alpha), ContactEnd::force, exact.en, tcol, 100, 2), 2 - alpha);
+  check_order(errors(Fractional(coefficient, coefficient, alpha), ContactEnd::force, exact.en, tcol, 100, 2),
+              2 - alpha);
 }
 
 TEST_CASE("a setup or option that makes no sense is named") {
@@ -132,7 +135,8 @@ TEST_CASE("a cluster tells how well it keeps the memory of fractional contacts")
   const double kept = error(mild, 1e-3, 1e-8);
   CHECK(kept > 0);
   CHECK(kept <= 1e-8);
-  // 4·10⁵ steps at α = 0.97 ask for more arms than a contact carries: the tolerance gives way, by no more than tenfold too much.
+  // 4·10⁵ steps at α = 0.97 ask for more arms than a contact carries: the tolerance gives way, by no more than tenfold
+  // too much.
   const double loosened = error(strong, 0.4, 1e-8);
   CHECK(loosened > 1e-6);
   CHECK(loosened <= 1e-5);
@@ -199,8 +203,8 @@ TEST_CASE("the work of a constant force on a free sphere is its kinetic energy, 
 
 TEST_CASE("it does not matter where in a step a repulsive force ends") {
   // e_n is wrong by E/n² at n steps a contact. While n grows by one, the end moves once through a step: E may change by
-  // terms of third order alone, some units over n. A force cut off half a step beside its zero, where R' = kζ', would make
-  // E jump by ½ (h/2)² k e_n/m n² = k t_col² e_n/(8 m): 0.46 here.
+  // terms of third order alone, some units over n. A force cut off half a step beside its zero, where R' = kζ', would
+  // make E jump by ½ (h/2)² k e_n/m n² = k t_col² e_n/(8 m): 0.46 here.
   const double n0 = 200, v0 = 0.5, r = 1.5e-3;
   const Linear law(5211.5, 0.098);
   const Collision exact = collide(law, {v0, mass_eff});

@@ -85,12 +85,14 @@ TEST_CASE("sliding and spinning at once end together, friction weaker than of ei
     REQUIRE(energy <= last_energy * (1 + 1e-14));
     last_energy = energy;
     const auto& phases = cluster.contacts()[0].record.phase_begin;
-    stuck = phases[std::size_t(Phase::rolling)] != Encounter::never || phases[std::size_t(Phase::rest)] != Encounter::never;
+    stuck =
+        phases[std::size_t(Phase::rolling)] != Encounter::never || phases[std::size_t(Phase::rest)] != Encounter::never;
     if (stuck) spin_at_rest = spin_before;
   }
   REQUIRE(stuck);
   CHECK(std::abs(cluster.spin(0).z) < 1e-12);
-  const double per_step = 2.0 / 3 * mu * 0.01 * plane.setup.spheres[0].mass() * g / plane.setup.spheres[0].inertia() * 1e-4;
+  const double per_step =
+      2.0 / 3 * mu * 0.01 * plane.setup.spheres[0].mass() * g / plane.setup.spheres[0].inertia() * 1e-4;
   CHECK(spin_at_rest < per_step);  // no more than one step's loss was left when the slip ended
 }
 
@@ -220,15 +222,19 @@ TEST_CASE("an oblique impact tends to the rigid sphere's sliding and sticking re
   CHECK(w_stick * r == Approx(5.0 / 7 * 0.5).epsilon(1e-3));
 }
 
-TEST_CASE("where friction is redundant, steps that do not settle are counted, and their velocities are good all the same") {
-  // Four spheres in a square tube that squeezes them from four sides: 20 contacts, 60 components of force for 24 degrees of freedom.
+TEST_CASE(
+    "where friction is redundant, steps that do not settle are counted, and their velocities are good all the same") {
+  // Four spheres in a square tube that squeezes them from four sides: 20 contacts, 60 components of force for 24
+  // degrees of freedom.
   ClusterSetup setup = with_law(Linear(1e5, 10), Friction(0.1, 0.1, 0, 1));
   setup.gravity = {1, 0.5, -g};
   const double squeezed = r * (1 - 5e-5);
   for (const Wall& wall : box_walls({0, 0, 0}, {2 * squeezed, 2 * squeezed, 1})) setup.walls.push_back(wall);
-  for (int i = 0; i < 4; ++i) setup.spheres.push_back({r, density, {squeezed, squeezed, squeezed * (2 * i + 1)}, {}, {}, 0});
+  for (int i = 0; i < 4; ++i)
+    setup.spheres.push_back({r, density, {squeezed, squeezed, squeezed * (2 * i + 1)}, {}, {}, 0});
   const double step = stiffest_contact(setup).tcol / 100;
-  Cluster usual(setup, {.step = step}), patient(setup, {.step = step, .max_sweeps = 2000}), hasty(setup, {.step = step, .max_sweeps = 2});
+  Cluster usual(setup, {.step = step}), patient(setup, {.step = step, .max_sweeps = 2000}),
+      hasty(setup, {.step = step, .max_sweeps = 2});
   for (Cluster* c : {&usual, &patient, &hasty}) REQUIRE(c->advance(5));
   CHECK(usual.contacts().size() == 20);
   CHECK(hasty.state().unconverged == 5);

@@ -34,7 +34,8 @@ double scale(const ClusterSetup& setup) {
 }
 
 // Multiparticle collisions amplify rounding: a tolerance of 1e-9 leaves 10⁶ for that.
-void check_same(const Cluster& a, const Cluster& b, double speed, auto&& map_vector, auto&& map_spin, auto&& map_index) {
+void check_same(const Cluster& a, const Cluster& b, double speed, auto&& map_vector, auto&& map_spin,
+                auto&& map_index) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     CHECK(norm(map_vector(a.velocity(i)) - b.velocity(map_index(i))) < 1e-9 * speed);
     CHECK(norm(map_spin(a.spin(i)) - b.spin(map_index(i))) < 1e-9 * 100);
@@ -94,7 +95,8 @@ TEST_CASE("results do not depend on the inertial frame") {
   ClusterSetup moving = setup;
   const Vec3 wind{1.5, -2.25, 0.5};
   for (Sphere& s : moving.spheres) s.velocity += wind;
-  check_same(run(setup), run(moving), scale(setup), [&](Vec3 v) { return v + wind; }, same_vector, same_index);
+  check_same(
+      run(setup), run(moving), scale(setup), [&](Vec3 v) { return v + wind; }, same_vector, same_index);
 }
 
 TEST_CASE("results turn with the scene, gravity included") {
@@ -104,7 +106,8 @@ TEST_CASE("results turn with the scene, gravity included") {
   ClusterSetup turned = setup;
   turned.gravity = rotate(setup.gravity);
   turned.walls[0] = {rotate(setup.walls[0].point), rotate(setup.walls[0].inward)};
-  for (Sphere& s : turned.spheres) s.position = rotate(s.position), s.velocity = rotate(s.velocity), s.spin = rotate(s.spin);
+  for (Sphere& s : turned.spheres)
+    s.position = rotate(s.position), s.velocity = rotate(s.velocity), s.spin = rotate(s.spin);
   check_same(run(setup), run(turned), scale(setup), rotate, rotate, same_index);
 }
 
@@ -113,7 +116,8 @@ TEST_CASE("results do not depend on the numbering") {
   ClusterSetup reversed = setup;
   std::reverse(reversed.spheres.begin(), reversed.spheres.end());
   const std::size_t last = setup.spheres.size() - 1;
-  check_same(run(setup), run(reversed), scale(setup), same_vector, same_vector, [&](std::size_t i) { return last - i; });
+  check_same(run(setup), run(reversed), scale(setup), same_vector, same_vector,
+             [&](std::size_t i) { return last - i; });
 }
 
 TEST_CASE("a mirrored scene gives the mirrored result") {

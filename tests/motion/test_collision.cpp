@@ -36,8 +36,8 @@ void check_paths_agree(const Law& law, ContactEnd end, double bound = 1e-11) {
 
 TEST_CASE("linear: closed form and integration agree in every damping regime, across the critical one") {
   const double k = 5000, critical = 2 * std::sqrt(k * table_two.mass_eff);
-  for (const double ratio : {0.0, 1e-9, 0.01, 0.2, 0.5, 0.9, 1 - 1e-9, 1.0, 1 + 1e-9, 1.1, 2.5, 5.0, 1e4, 1e5, 1e6, 1e20,
-                             1e90}) {
+  for (const double ratio :
+       {0.0, 1e-9, 0.01, 0.2, 0.5, 0.9, 1 - 1e-9, 1.0, 1 + 1e-9, 1.1, 2.5, 5.0, 1e4, 1e5, 1e6, 1e20, 1e90}) {
     CAPTURE(ratio);
     check_paths_agree(Linear(k, ratio * critical), ContactEnd::force);
   }

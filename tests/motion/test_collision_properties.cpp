@@ -65,9 +65,7 @@ struct Units {
     return Tsuji(l.k() * stiffness() / std::sqrt(length), l.c() * damping() / std::pow(length, 0.25));
   }
   AnyLaw operator()(const Hysteretic& l) const { return Hysteretic(l.k1() * stiffness(), l.k2() * stiffness()); }
-  AnyLaw operator()(const Fractional& l) const {
-    return Fractional(l.k() * stiffness(), l.c() * damping(), l.alpha());
-  }
+  AnyLaw operator()(const Fractional& l) const { return Fractional(l.k() * stiffness(), l.c() * damping(), l.alpha()); }
   Impact operator()(const Impact& i) const { return {i.velocity * length / time, i.mass_eff * mass}; }
 };
 

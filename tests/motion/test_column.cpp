@@ -168,8 +168,8 @@ TEST_CASE("Small gaps detach: constant laws lose less than the event-driven colu
           "[column]") {
   double last = 0;
   for (const int beads : {2, 5, 10, 20}) {
-    const double soft = energy_ratio(beads, 0, [](double m) { return linear(m, 0.9); },
-                                     options(100, ContactEnd::overlap));
+    const double soft = energy_ratio(
+        beads, 0, [](double m) { return linear(m, 0.9); }, options(100, ContactEnd::overlap));
     CHECK(soft > event_driven_column(equal_column(beads, mass, 1e-6, velocity), 0.9).energy_ratio);
     CHECK(soft > last);
     last = soft;
@@ -189,19 +189,23 @@ TEST_CASE("A column is of second order through every start and end of contact", 
     CAPTURE(beads, gap, errors);
     CHECK(slope == Approx(2.0).margin(0.2));
   };
-  check(1, 1e-6, [](double m) { return linear(m, 0.9); }, ContactEnd::overlap);
-  check(3, 1e-6, [](double m) { return linear(m, 0.9); }, ContactEnd::overlap);
-  check(5, 0, [](double m) { return linear(m, 0.9); }, ContactEnd::overlap);
-  check(3, 1e-6, [](double m) { return linear(m, 0.9); }, ContactEnd::force);
+  check(
+      1, 1e-6, [](double m) { return linear(m, 0.9); }, ContactEnd::overlap);
+  check(
+      3, 1e-6, [](double m) { return linear(m, 0.9); }, ContactEnd::overlap);
+  check(
+      5, 0, [](double m) { return linear(m, 0.9); }, ContactEnd::overlap);
+  check(
+      3, 1e-6, [](double m) { return linear(m, 0.9); }, ContactEnd::force);
   check(5, 1e-6, kuwabara_kono, ContactEnd::force);
   check(5, 1e-6, tsuji, ContactEnd::force);
 }
 
 TEST_CASE("It does not matter where in a step a contact starts and ends", "[column]") {
   // The time of separation, from where the bead flies afterwards, is wrong by E/n² at n steps a contact. While n grows
-  // by one, the end moves once through a step; gaps move the start. Were a moment of the impulse missing, E would follow
-  // the phase by up to c t_col/(8m) = −ln(e_n)/4 (½ I (h − s) of the active part s, with I = c v s): 0.026 at e_n = 0.9,
-  // 0.4 at 0.2. What is left are terms of third order: some units over n.
+  // by one, the end moves once through a step; gaps move the start. Were a moment of the impulse missing, E would
+  // follow the phase by up to c t_col/(8m) = −ln(e_n)/4 (½ I (h − s) of the active part s, with I = c v s): 0.026 at
+  // e_n = 0.9, 0.4 at 0.2. What is left are terms of third order: some units over n.
   const double n0 = 400, bound = 4 / n0;
   for (const double en : {0.9, 0.5, 0.2}) {
     const Linear law = linear(mass, en);
@@ -230,7 +234,8 @@ TEST_CASE("A column of fractional contacts is of second order at any conversion 
         ColumnOptions o = options(steps, ContactEnd::force);
         o.longest_memory = 1e-3;
         o.memory_tolerance = 1e-9;
-        ratio.push_back(energy_ratio(beads, 1e-6, [&](double m) { return fractional(m, alpha); }, o));
+        ratio.push_back(energy_ratio(
+            beads, 1e-6, [&](double m) { return fractional(m, alpha); }, o));
       }
       CAPTURE(alpha, beads, ratio);
       CHECK(std::log2((ratio[1] - ratio[0]) / (ratio[2] - ratio[1])) == Approx(2).margin(0.25));
@@ -244,15 +249,16 @@ TEST_CASE("One bead rebounds with the restitution of its conversion degree", "[c
     ColumnOptions o = options(3200, ContactEnd::force);
     o.longest_memory = 2e-4;
     return run_column(equal_column(1, mass, 1e-6, velocity), fractional(mass, alpha), fractional(mass, alpha), o)
-               .velocity[0] / -velocity;
+               .velocity[0] /
+           -velocity;
   };
   CHECK(rebound(0.0293504) == Approx(0.945).margin(1e-6));
   CHECK(rebound(0.3196786) == Approx(0.5).margin(1e-6));
 }
 
 TEST_CASE("Energy closes to the scheme's order and never grows", "[column]") {
-  // In units of E0, which passes through each of six contacts once: the trapezoid under the quarter wave of a force errs by
-  // (πh/t_col)²/12 of the energy, a single step by h/t_col times π of that.
+  // In units of E0, which passes through each of six contacts once: the trapezoid under the quarter wave of a force
+  // errs by (πh/t_col)²/12 of the energy, a single step by h/t_col times π of that.
   constexpr double pi = std::numbers::pi, passes = 6;
   const auto check = [](auto law, ContactEnd end) {
     using Law = decltype(law(mass));
@@ -316,8 +322,8 @@ TEST_CASE("Velocities do not depend on frame, mirror image or unit of mass", "[c
   }
   const ColumnResult in_frame = run_column({m, g, shifted}, law, law, o);
   const ColumnResult in_mirror = run_column({mirrored_mass, {g[0], g[3], g[2], g[1]}, mirrored}, law, law, o);
-  const ColumnResult in_units = run_column({heavy, g, v}, Linear(1024 * law.k(), 1024 * law.c()),
-                                           Linear(1024 * law.k(), 1024 * law.c()), o);
+  const ColumnResult in_units =
+      run_column({heavy, g, v}, Linear(1024 * law.k(), 1024 * law.c()), Linear(1024 * law.k(), 1024 * law.c()), o);
   for (int i = 0; i < 4; ++i) {
     CHECK(in_frame.velocity[i] == Approx(r.velocity[i] + 3).epsilon(1e-9));
     CHECK(in_mirror.velocity[i] == Approx(20 - r.velocity[3 - i]).epsilon(1e-9));
@@ -325,7 +331,10 @@ TEST_CASE("Velocities do not depend on frame, mirror image or unit of mass", "[c
   }
 }
 
-TEST_CASE("A pair that stays silent until it has separated lets beads pass through each other, a single contact does not notice", "[column]") {
+TEST_CASE(
+    "A pair that stays silent until it has separated lets beads pass through each other, a single contact does not "
+    "notice",
+    "[column]") {
   const auto law = [](double m) { return hysteretic(m, 0.3); };
   ColumnOptions repels = options(200, ContactEnd::force), silent = repels;
   silent.reclosing = Reclosing::silent;
@@ -413,7 +422,8 @@ TEST_CASE("A step that cannot resolve the contacts is refused, and no column gai
   const auto check = [&](const AnyLaw& plate, const AnyLaw& pair, ContactEnd end) {
     const double largest = largest_step(column, plate, pair);
     ColumnOptions o{.step = 1.01 * largest, .duration = 10, .end = end};
-    CHECK_THROWS_WITH(run_column(column, plate, pair, o), Catch::StartsWith("step = ") && Catch::Contains("must be at most"));
+    CHECK_THROWS_WITH(run_column(column, plate, pair, o),
+                      Catch::StartsWith("step = ") && Catch::Contains("must be at most"));
     o.step = 10 * tcol;
     CHECK_THROWS_AS(run_column(column, plate, pair, o), std::invalid_argument);
     for (const double share : {1.0, 0.7, 0.3}) {
@@ -433,7 +443,8 @@ TEST_CASE("A step that cannot resolve the contacts is refused, and no column gai
 }
 
 TEST_CASE("A column that breaks down says so and gives no numbers", "[column]") {
-  // Nothing moves at the start, so that nothing tells how stiff the Hertzian contact will be that the fall from 1 m makes.
+  // Nothing moves at the start, so that nothing tells how stiff the Hertzian contact will be that the fall from 1 m
+  // makes.
   Column column = equal_column(3, mass, 1, 0);
   column.gravity = 9.81;
   const ColumnResult r = run_column(column, tsuji(mass), tsuji(mass), {.step = 100 * tcol, .duration = 1000});
@@ -461,6 +472,7 @@ TEST_CASE("Misuse of a column is named", "[column]") {
   CHECK_THROWS_WITH(memory(-1, 0, 1e-6), "shortest_memory = -1: must be finite and >= 0");
   CHECK_THROWS_WITH(memory(0, std::nan(""), 1e-6), "longest_memory = nan: must be finite and >= 0");
   CHECK_THROWS_WITH(memory(0, 5, 1e-6), Catch::StartsWith("longest_memory = 5: must be at most 1e6 of the shortest"));
-  CHECK_THROWS_WITH(memory(0, 0, 1e-12), Catch::StartsWith("memory_tolerance = 1e-12: must be at least ") &&
-                                             Catch::EndsWith("at alpha = 0.3 with a longest memory of 1e+05 shortest ones"));
+  CHECK_THROWS_WITH(memory(0, 0, 1e-12),
+                    Catch::StartsWith("memory_tolerance = 1e-12: must be at least ") &&
+                        Catch::EndsWith("at alpha = 0.3 with a longest memory of 1e+05 shortest ones"));
 }

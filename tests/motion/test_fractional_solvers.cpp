@@ -28,9 +28,11 @@ const FractionalScheme steppers[] = {FractionalScheme::rectangle, FractionalSche
 TEST_CASE("Every scheme of the fractional collision tends to the closed form, wherever the mesh starts") {
   const FractionalContact exact = fractional_contact(0.2);
   const double unit = std::pow(law.coefficient() / impact.mass_eff, -1 / 1.8);
-  // At 200 steps, from the stated orders with coefficients of size one: N^{−(2−α)}, N^{−2}; Rosenbrock keeps the error of
-  // its kernel, (δ/t_col)^{3−α}. (59) holds the rate back by half a step, h/2·ζ'', and t_col is about 3 natural times.
-  const double bounds[] = {3.0 / 200, std::pow(200, -2.0), std::pow(200, -1.8), std::pow(200, -2.0), std::pow(200, -2.0)};
+  // At 200 steps, from the stated orders with coefficients of size one: N^{−(2−α)}, N^{−2}; Rosenbrock keeps the error
+  // of its kernel, (δ/t_col)^{3−α}. (59) holds the rate back by half a step, h/2·ζ'', and t_col is about 3 natural
+  // times.
+  const double bounds[] = {3.0 / 200, std::pow(200, -2.0), std::pow(200, -1.8), std::pow(200, -2.0),
+                           std::pow(200, -2.0)};
   for (std::size_t i = 0; i < std::size(steppers); ++i)
     for (const double offset : {0.0, 0.3, 0.99}) {
       CAPTURE(name(steppers[i]), offset);

@@ -66,6 +66,7 @@ TEST_CASE("every law reaches every restitution, as far as doubles carry it", "[t
     if (en >= 1e-15) check(LawKind::fractional, force, en, 1e-11 + 2e-16 / (16 * en));
     if (en >= 1e-6) check(LawKind::fractional, overlap, en, 1e-11 + 1e-15 / (en * en));
   }
-  for (const auto kind : {LawKind::linear, LawKind::tsuji, LawKind::hysteretic, LawKind::kuwabara_kono, LawKind::fractional})
+  for (const auto kind :
+       {LawKind::linear, LawKind::tsuji, LawKind::hysteretic, LawKind::kuwabara_kono, LawKind::fractional})
     CHECK_FALSE(unit_law(kind, 1e-320, force));
 }

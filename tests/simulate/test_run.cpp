@@ -63,7 +63,8 @@ TEST_CASE("an interrupted run, resumed, gives the bytes of one that was never st
 TEST_CASE("a run that breaks down leaves what can be resumed, or nothing") {
   const Folder folder;
   Scene scene = bounce("0.01");
-  // The check of a scene would refuse this step; the energy of a fall this fast overflows within the run, not at its start.
+  // The check of a scene would refuse this step; the energy of a fall this fast overflows within the run, not at its
+  // start.
   scene.setup.gravity = {0, 0, -1e160};
   CHECK_THROWS_AS(run(scene, folder.path / "falls", false), console::Failed);
   for (const char* file : {"trajectory.xyz", "contacts.csv", "energy.csv", "state.json"}) {

@@ -72,11 +72,15 @@ TEST_CASE("every mistake in a scene is one line that says where, what, and what 
   CHECK(complaint(with("0.01,", "0.01,,")).rfind("s.json:2:20: no JSON", 0) == 0);
   CHECK(complaint(with("0.01,", "1e999,")) == "s.json:2:15: 1e999: must be at most 1.8e308 in size");
   CHECK(complaint(with("\"walls\"", "\"wals\"")).rfind("s.json: /: unknown key \"wals\"; known are schema,", 0) == 0);
-  CHECK(complaint(with("\"walls\"", "\"duration\"")) == "s.json: key \"duration\" is given twice in one object; it must be given once");
-  CHECK(complaint(with("\"radius\": 0.01", "\"radius\": -0.01")) == "s.json: /spheres/0/radius = -0.01: must be a number > 0");
-  CHECK(complaint(with("\"radius\": 0.01", "\"radius\": \"big\"")) == "s.json: /spheres/0/radius = \"big\": must be a number > 0");
+  CHECK(complaint(with("\"walls\"", "\"duration\"")) ==
+        "s.json: key \"duration\" is given twice in one object; it must be given once");
+  CHECK(complaint(with("\"radius\": 0.01", "\"radius\": -0.01")) ==
+        "s.json: /spheres/0/radius = -0.01: must be a number > 0");
+  CHECK(complaint(with("\"radius\": 0.01", "\"radius\": \"big\"")) ==
+        "s.json: /spheres/0/radius = \"big\": must be a number > 0");
   CHECK(complaint(with("\"radius\": 0.01, ", "")) == "s.json: /spheres/0: \"radius\" is missing; it must be given");
-  CHECK(complaint(with("[0, 0, 0.05]", "[0, 0]")) == "s.json: /spheres/1/position = [0,0]: must be three numbers [x, y, z]");
+  CHECK(complaint(with("[0, 0, 0.05]", "[0, 0]")) ==
+        "s.json: /spheres/1/position = [0,0]: must be three numbers [x, y, z]");
   CHECK(complaint(with("0.05", "0.035")) ==
         "s.json: /spheres/1: overlaps /spheres/0 by 0.005 m at the start; bodies must be apart or just touch");
   CHECK(complaint(with("0.02]", "0.008]")) ==
@@ -90,9 +94,11 @@ TEST_CASE("every mistake in a scene is one line that says where, what, and what 
         "s.json: /interactions: no entry between \"grain\" and \"plate\", which can meet; it must be given");
   CHECK(complaint(with("[\"grain\", \"plate\"]", "[\"grain\", \"grain\"]")) ==
         "s.json: /interactions/1/between = [\"grain\",\"grain\"]: must be a pair that is given once");
-  CHECK(complaint(with("\"alpha\": 0.3", "\"alpha\": 1.3")) == "s.json: /interactions/1/law/alpha = 1.3: must be in [0, 1]");
+  CHECK(complaint(with("\"alpha\": 0.3", "\"alpha\": 1.3")) ==
+        "s.json: /interactions/1/law/alpha = 1.3: must be in [0, 1]");
   CHECK(complaint(with("\"linear\"", "\"hooke\"")) ==
-        "s.json: /interactions/0/law/name = \"hooke\": must be linear or kuwabara-kono or tsuji or hysteretic or fractional");
+        "s.json: /interactions/0/law/name = \"hooke\": must be linear or kuwabara-kono or tsuji or hysteretic or "
+        "fractional");
   CHECK(complaint(with("\"mu_static\": 0.5", "\"mu_static\": 0.5, \"mu_dynamic\": 0.6")) ==
         "s.json: /interactions/1/friction/mu_dynamic = 0.6: must be at most mu_static");
   CHECK(complaint(with("\"material\": \"plate\"", "\"material\": \"plat\"")) ==
@@ -106,11 +112,14 @@ TEST_CASE("every mistake in a scene is one line that says where, what, and what 
 }
 
 TEST_CASE("a mistake in a scene is told by line and column") {
-  CHECK(placed_complaint(with("\"radius\": 0.01", "\"radius\": -0.01")).rfind("s.json:10:16: /spheres/0/radius = -0.01", 0) == 0);
+  CHECK(placed_complaint(with("\"radius\": 0.01", "\"radius\": -0.01"))
+            .rfind("s.json:10:16: /spheres/0/radius = -0.01", 0) == 0);
   CHECK(placed_complaint(with("\"radius\": 0.01, ", "")).rfind("s.json:10:5: /spheres/0: ", 0) == 0);
   CHECK(placed_complaint(with("[0, 0, 0.05]", "[0, 0]")).rfind("s.json:11:55: /spheres/1/position", 0) == 0);
-  CHECK(placed_complaint(with("[0, 0, 0.05]", "[0, 0, \"}\\\"]\"]")).rfind("s.json:11:62: /spheres/1/position/2", 0) == 0);
-  CHECK(placed_complaint(with("\"density\": 1000", "\"density\": 0")).rfind("s.json:3:38: /materials/grain/density = 0", 0) == 0);
+  CHECK(placed_complaint(with("[0, 0, 0.05]", "[0, 0, \"}\\\"]\"]")).rfind("s.json:11:62: /spheres/1/position/2", 0) ==
+        0);
+  CHECK(placed_complaint(with("\"density\": 1000", "\"density\": 0"))
+            .rfind("s.json:3:38: /materials/grain/density = 0", 0) == 0);
   CHECK(placed_complaint("[]").rfind("s.json:1:1: / = []", 0) == 0);
 }
 
@@ -129,8 +138,9 @@ TEST_CASE("the scene that docs/scenes.md shows is a good scene") {
 }
 
 TEST_CASE("the default step resolves overdamped contacts as well") {
-  // One sphere on a plate, damping ratio β. With 20 steps in m/c the midpoint rule errs by (1/20)²/12 an e-folding of the
-  // velocity, of which a rebound has 4 ln 2β; as much again for either end. Second order: doubling the steps leaves a quarter.
+  // One sphere on a plate, damping ratio β. With 20 steps in m/c the midpoint rule errs by (1/20)²/12 an e-folding of
+  // the velocity, of which a rebound has 4 ln 2β; as much again for either end. Second order: doubling the steps leaves
+  // a quarter.
   for (const double beta : {0.1, 2.0, 5.0, 20.0, 50.0}) {
     const double radius = 0.01, mass = 4.0 / 3 * std::numbers::pi * 1e-6 * 1000, k = 1000;
     const double c = 2 * beta * std::sqrt(mass * k);

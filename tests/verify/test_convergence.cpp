@@ -52,15 +52,20 @@ TEST_CASE("an order is judged from both sides") {
 }
 
 TEST_CASE("the extrapolated value and the grid convergence index belong to the stated order") {
-  Convergence c{.statement = {"s", "f", 0.5, 2.0, 0.1}, .steps = {1, 2, 4, 8}, .errors = {64, 16, 4, 1},
-                .values = {64, 16, 4, 1}, .scale = 2};
+  Convergence c{.statement = {"s", "f", 0.5, 2.0, 0.1},
+                .steps = {1, 2, 4, 8},
+                .errors = {64, 16, 4, 1},
+                .values = {64, 16, 4, 1},
+                .scale = 2};
   CHECK(c.richardson_error() == Approx(0).margin(1e-14));
   CHECK(c.grid_convergence_index() == Approx(1.25 * 3 / 3 / 2));
   CHECK(c.pass());
 }
 
 TEST_CASE("what is exact must be exact, and a NaN is never") {
-  Convergence c{.statement = {"s", "f", 0.5, std::nullopt, 0.1}, .steps = {1, 2}, .errors = {1e-15, 1e-12},
+  Convergence c{.statement = {"s", "f", 0.5, std::nullopt, 0.1},
+                .steps = {1, 2},
+                .errors = {1e-15, 1e-12},
                 .values = {1e-15, 1e-12}};
   CHECK(all_pass(to_gates({c})));
   c.errors[0] = 1e-9;

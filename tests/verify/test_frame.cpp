@@ -127,7 +127,8 @@ TEST_CASE("all runs every study thoroughly and writes the report") {
 TEST_CASE("the report is one page that loads nothing, with what failed before what passed") {
   Toy toy;
   StudyResult result = toy.run({});
-  result.gates = {at_most("calm <b>", 0.1, 1), at_most("near its bound", 0.9, 1), at_most("beyond", 2, 1), holds("true", true)};
+  result.gates = {at_most("calm <b>", 0.1, 1), at_most("near its bound", 0.9, 1), at_most("beyond", 2, 1),
+                  holds("true", true)};
   result.verdict = "x is 0.5.";
   result.remarks = {{"Eq. (1)", "Printed wrongly."}};
   std::vector<Outcome> outcomes(2);

@@ -45,8 +45,8 @@ std::string gnuplot() {
 std::string libraries() {
   int major = 0, minor = 0, bugfix = 0;
   ::nlopt_version(&major, &minor, &bugfix);
-  return "Boost " + dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100) + ", GSL " GSL_VERSION +
-         ", NLopt " + dotted(major, minor, bugfix) + ", nlohmann-json " +
+  return "Boost " + dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100) +
+         ", GSL " GSL_VERSION + ", NLopt " + dotted(major, minor, bugfix) + ", nlohmann-json " +
          dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH) +
          ", CLI11 " CLI11_VERSION ", glibc " + ::gnu_get_libc_version() + ", gnuplot " + gnuplot();
 }

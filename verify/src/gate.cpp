@@ -71,8 +71,8 @@ console::Json to_json(const Gate& gate) {
 console::Table gate_table(const std::vector<Gate>& gates) {
   console::Table table({{"gate"}, {"value"}, {"bound"}, {"pass"}}, "Gates");
   for (const Gate& gate : gates)
-    table.row({gate.name, console::number_or_blank(gate.value), bound_text(gate),
-               std::string(gate.pass ? "yes" : "NO")});
+    table.row(
+        {gate.name, console::number_or_blank(gate.value), bound_text(gate), std::string(gate.pass ? "yes" : "NO")});
   return table;
 }
 

@@ -52,14 +52,18 @@ std::string anchor(const Outcome& outcome) { return "study-" + outcome.study->na
 
 /// One line a study: the way into the page.
 std::string overview(const std::vector<Outcome>& outcomes) {
-  Table table({{"study"}, {"outcome"}, {"gates"}, {"what was found"}, {"time", "s", {Notation::Kind::fixed, 1}}}, "The studies");
+  Table table({{"study"}, {"outcome"}, {"gates"}, {"what was found"}, {"time", "s", {Notation::Kind::fixed, 1}}},
+              "The studies");
   std::vector<std::string> names;
   for (const Outcome& o : outcomes) {
     names.push_back("<a href=\"#" + anchor(o) + "\">" + escaped(o.study->name()) + "</a>");
     const std::string gates =
         o.result ? std::to_string(passed_gates(*o.result)) + " of " + std::to_string(o.result->gates.size()) : "-";
-    table.row({o.study->name(), std::string(!o.error.empty() ? "broke down" : passed(o) ? "passed" : "failed"), gates,
-               o.error.empty() ? o.result->verdict : o.error, o.seconds});
+    table.row({o.study->name(),
+               std::string(!o.error.empty() ? "broke down"
+                           : passed(o)      ? "passed"
+                                            : "failed"),
+               gates, o.error.empty() ? o.result->verdict : o.error, o.seconds});
   }
   return console::html_table(table, {.id = "studies", .shown = 40, .raw_first = names});
 }
@@ -87,8 +91,13 @@ std::string value_text(const Gate& gate) {
   return console::significant(gate.value, 6);
 }
 
-std::string gates_table(const std::vector<Judged>& all, const std::string& id, const std::string& caption, bool with_study) {
-  std::vector<Column> columns{{"outcome"}, {"gate"}, {"value", "", {}, console::Align::right}, {"must be"}, {"room taken", "%", {Notation::Kind::fixed, 0}}};
+std::string gates_table(const std::vector<Judged>& all, const std::string& id, const std::string& caption,
+                        bool with_study) {
+  std::vector<Column> columns{{"outcome"},
+                              {"gate"},
+                              {"value", "", {}, console::Align::right},
+                              {"must be"},
+                              {"room taken", "%", {Notation::Kind::fixed, 0}}};
   if (with_study) columns.insert(columns.begin() + 1, {"study"});
   Table table(columns, caption);
   std::vector<std::string> outcomes;
@@ -110,18 +119,20 @@ std::string remarks(const std::vector<Outcome>& outcomes) {
   for (const Outcome& outcome : outcomes)
     if (outcome.result)
       for (const Remark& remark : outcome.result->remarks)
-        list += "<dt><strong>" + escaped(remark.about) + "</strong></dt><dd>" + escaped(remark.text) + " <a href=\"#" + anchor(outcome) +
-                "\">" + escaped(outcome.study->name()) + "</a></dd>\n";
+        list += "<dt><strong>" + escaped(remark.about) + "</strong></dt><dd>" + escaped(remark.text) + " <a href=\"#" +
+                anchor(outcome) + "\">" + escaped(outcome.study->name()) + "</a></dd>\n";
   if (list.empty()) return {};
   return "<h2 id=\"print\">Where the print and the numbers differ</h2>\n<p>Parts of the paper's print are illegible or "
-         "inconsistent; the numbers here were computed in this run.</p>\n<dl class=\"facts\">\n" + list + "</dl>\n";
+         "inconsistent; the numbers here were computed in this run.</p>\n<dl class=\"facts\">\n" +
+         list + "</dl>\n";
 }
 
 std::string figures(const Outcome& outcome) {
   std::string html;
   for (std::size_t i = 0; i < outcome.pictures.size(); ++i) {
     const console::Figure& figure = outcome.result->figures[i];
-    std::vector<HtmlLink> links{{figure.name + ".svg", figure.name + ".svg"}, {figure.name + ".png", figure.name + ".png"}};
+    std::vector<HtmlLink> links{{figure.name + ".svg", figure.name + ".svg"},
+                                {figure.name + ".png", figure.name + ".png"}};
     for (const console::DataFile& data : figure.data) links.push_back({data.name, data.name});
     html += console::html_figure(figure, outcome.pictures[i], links);
   }
@@ -131,20 +142,23 @@ std::string figures(const Outcome& outcome) {
 std::string section(const Outcome& outcome) {
   const std::string id = anchor(outcome), name = outcome.study->name();
   std::string html = "<section aria-labelledby=\"" + id + "\">\n<h2 id=\"" + id + "\">" + escaped(name) + " " +
-                     console::html_status(passed(outcome)) + "</h2>\n<p><strong>Claimed:</strong> " + escaped(outcome.study->claim()) + ".</p>\n";
+                     console::html_status(passed(outcome)) + "</h2>\n<p><strong>Claimed:</strong> " +
+                     escaped(outcome.study->claim()) + ".</p>\n";
   if (!outcome.error.empty())
     html += "<p class=\"verdict\"><strong>Broke down:</strong> " + escaped(outcome.error) + "</p>\n";
   if (!outcome.result) return html + "</section>\n";
   const StudyResult& result = *outcome.result;
-  if (!result.verdict.empty()) html += "<p class=\"verdict\"><strong>Found:</strong> " + escaped(result.verdict) + "</p>\n";
+  if (!result.verdict.empty())
+    html += "<p class=\"verdict\"><strong>Found:</strong> " + escaped(result.verdict) + "</p>\n";
   html += figures(outcome);
   if (!result.tables.empty()) html += "<h3>What was measured</h3>\n";
   for (std::size_t i = 0; i < result.tables.size(); ++i) {
     const std::string file = table_file(*outcome.study, i);
-    html += console::html_table(result.tables[i], {.id = name + "-table-" + std::to_string(i + 1), .links = {{file, file}}});
+    html += console::html_table(result.tables[i],
+                                {.id = name + "-table-" + std::to_string(i + 1), .links = {{file, file}}});
   }
-  html += "<h3>Gates</h3>\n<p>" + summary({result.gates.size(), result.gates.size() - passed_gates(result), 0}) + " Everything as <a href=\"" +
-          name + ".json\">" + name + ".json</a>.</p>\n";
+  html += "<h3>Gates</h3>\n<p>" + summary({result.gates.size(), result.gates.size() - passed_gates(result), 0}) +
+          " Everything as <a href=\"" + name + ".json\">" + name + ".json</a>.</p>\n";
   const auto mine = by_weight({&outcome, 1});
   if (!mine.empty()) html += gates_table(mine, name + "-gates", "Gates of " + name, false);
   return html + "</section>\n";
@@ -162,14 +176,18 @@ std::string report_page(const std::vector<Outcome>& outcomes, const Facts& made_
   const Count all = count(outcomes);
   const bool good = all.failed == 0 && all.broken == 0;
   std::string body =
-      "<header>\n<h1>What Ricochet verified</h1>\n<p class=\"lead\">" + console::html_status(good) + " " + escaped(summary(all)) +
-      "</p>\n<p>Every claim of J. S. Leszczynski, Phys. Rev. E 70, 051315 (2004), on the fractional interaction law, and every claim of "
-      "this program about itself, measured against bounds that were derived beforehand.</p>\n" + made(made_by) + "</header>\n<main id=\"content\">\n" +
-      overview(outcomes) + remarks(outcomes) + "<h2 id=\"gates\">Gates</h2>\n<p>A gate is a number and the bounds that it must keep. What failed comes "
+      "<header>\n<h1>What Ricochet verified</h1>\n<p class=\"lead\">" + console::html_status(good) + " " +
+      escaped(summary(all)) +
+      "</p>\n<p>Every claim of J. S. Leszczynski, Phys. Rev. E 70, 051315 (2004), on the fractional interaction law, "
+      "and every claim of "
+      "this program about itself, measured against bounds that were derived beforehand.</p>\n" +
+      made(made_by) + "</header>\n<main id=\"content\">\n" + overview(outcomes) + remarks(outcomes) +
+      "<h2 id=\"gates\">Gates</h2>\n<p>A gate is a number and the bounds that it must keep. What failed comes "
       "first, then what came nearest to its bound. The whole run as <a href=\"report.json\">report.json</a>.</p>\n" +
       gates_table(by_weight(outcomes), "all-gates", "All gates", true);
   for (const Outcome& outcome : outcomes) body += section(outcome);
-  body += "</main>\n<footer><p>" + escaped(made_by.front().second) + ". SI units unless a column says otherwise.</p></footer>\n";
+  body += "</main>\n<footer><p>" + escaped(made_by.front().second) +
+          ". SI units unless a column says otherwise.</p></footer>\n";
   return console::html_page("What Ricochet verified: " + summary(all), body);
 }
 

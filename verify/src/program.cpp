@@ -144,7 +144,8 @@ Json study_json(const Study& study, const StudyResult& result) {
   json["gates"] = Json::array();
   for (const Gate& gate : result.gates) json["gates"].push_back(to_json(gate));
   if (!result.remarks.empty()) json["remarks"] = Json::array();
-  for (const Remark& remark : result.remarks) json["remarks"].push_back({{"about", remark.about}, {"text", remark.text}});
+  for (const Remark& remark : result.remarks)
+    json["remarks"].push_back({{"about", remark.about}, {"text", remark.text}});
   if (!result.rows.is_null()) {
     json["rows"] = result.rows;
     return json;
@@ -158,8 +159,9 @@ int run_verify(const Studies& studies, int argc, const char* const* argv) {
   CLI::App app("Checks the laws, the numerics and the paper's figures against what they claim", "verify");
   console::add_version(app);
   app.require_subcommand(1);
-  app.footer("Every study takes --format table|json|csv|markdown and -o FILE; `verify STUDY --help` lists the rest.\n"
-             "Exit code 0: every gate passed; 1: a gate failed; 2: bad input; 4: a study broke down.");
+  app.footer(
+      "Every study takes --format table|json|csv|markdown and -o FILE; `verify STUDY --help` lists the rest.\n"
+      "Exit code 0: every gate passed; 1: a gate failed; 2: bad input; 4: a study broke down.");
   Options options;
   const auto thorough = [&options](CLI::App& command) {
     command.add_flag("--thorough", options.run.thorough, "also what takes longer than a test run may");
@@ -171,7 +173,8 @@ int run_verify(const Studies& studies, int argc, const char* const* argv) {
     study->add_options(*command);
   }
   CLI::App* all = app.add_subcommand("all", "every study, thoroughly");
-  add_common(*all, options, "--report", "also write the report into this folder: index.html, figures, CSV and JSON files");
+  add_common(*all, options, "--report",
+             "also write the report into this folder: index.html, figures, CSV and JSON files");
   bool quick = false;
   all->add_flag("--quick", quick, "leave out what takes longer than a test run may");
   return console::run_program(app, argc, argv, [&] {

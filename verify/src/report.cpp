@@ -35,7 +35,10 @@ std::vector<std::string> write_study(const Study& study, const StudyResult& resu
 }
 
 Json report_json(const std::vector<Outcome>& outcomes, const Facts& made_by) {
-  Json json{{"schema", "ricochet/report/1"}, {"made_by", Json::object()}, {"gates", Json::array()}, {"studies", Json::array()}};
+  Json json{{"schema", "ricochet/report/1"},
+            {"made_by", Json::object()},
+            {"gates", Json::array()},
+            {"studies", Json::array()}};
   for (const auto& [what, value] : made_by) json["made_by"][what] = value;
   for (const Outcome& outcome : outcomes) {
     Json study{{"name", outcome.study->name()}, {"seconds", outcome.seconds}};

@@ -17,9 +17,9 @@ using console::Notation;
 using console::Table;
 
 constexpr double strong_alpha = 0.01, weak_alpha = 0.97;
-constexpr double printed_k = 1000;                        // kg/s²
+constexpr double printed_k = 1000;  // kg/s²
 constexpr double stiffnesses[] = {1e3, 1e4, 1e5, 1e6, 1e7};
-constexpr double duration = 0.03, sampling = 1e-4;        // s
+constexpr double duration = 0.03, sampling = 1e-4;  // s
 
 // A 200th of what the lightest pair's collision lasts, and no coarser than what Figs. 7-9 are drawn with.
 double step_for(double alpha, double k) {
@@ -29,21 +29,23 @@ double step_for(double alpha, double k) {
 Run run(double alpha, double k) { return cluster::run(alpha, k, duration, step_for(alpha, k), sampling); }
 
 Table collisions(const Run& run) {
-  Table table({{"pair"},
-               {"t_begin", "ms", {Notation::Kind::fixed, 4}},
-               {"t_end", "ms", {Notation::Kind::fixed, 4}},
-               {"t_col", "ms", {Notation::Kind::fixed, 4}},
-               {"separation", "ms", {Notation::Kind::fixed, 4}},
-               {"ended"},
-               {"phases"}},
-              "Fig. 9: collisions at α = " + console::shortest(run.alpha) + ", k = " + console::shortest(run.k) + " kg/s²");
+  Table table(
+      {{"pair"},
+       {"t_begin", "ms", {Notation::Kind::fixed, 4}},
+       {"t_end", "ms", {Notation::Kind::fixed, 4}},
+       {"t_col", "ms", {Notation::Kind::fixed, 4}},
+       {"separation", "ms", {Notation::Kind::fixed, 4}},
+       {"ended"},
+       {"phases"}},
+      "Fig. 9: collisions at α = " + console::shortest(run.alpha) + ", k = " + console::shortest(run.k) + " kg/s²");
   for (const Encounter& e : run.collisions) {
     std::string phases;
     for (std::size_t p = 0; p < phase_count; ++p)
-      if (std::isfinite(e.phase_begin[p])) phases += (phases.empty() ? "" : ", ") + std::string(name(static_cast<Phase>(p)));
-    table.row({std::to_string(e.i + 1) + "-" + std::to_string(e.j + 1), 1e3 * e.begin, console::number_or_blank(1e3 * e.end),
-               console::number_or_blank(1e3 * (e.end - e.begin)), console::number_or_blank(1e3 * e.separation),
-               std::string(name(e.how)), phases});
+      if (std::isfinite(e.phase_begin[p]))
+        phases += (phases.empty() ? "" : ", ") + std::string(name(static_cast<Phase>(p)));
+    table.row({std::to_string(e.i + 1) + "-" + std::to_string(e.j + 1), 1e3 * e.begin,
+               console::number_or_blank(1e3 * e.end), console::number_or_blank(1e3 * (e.end - e.begin)),
+               console::number_or_blank(1e3 * e.separation), std::string(name(e.how)), phases});
   }
   return table;
 }
@@ -65,14 +67,16 @@ Table shares(const std::vector<Run>& strong, const std::vector<Run>& weak) {
       table.row({r.alpha, r.k, static_cast<std::int64_t>(r.collisions.size()), 1e3 * o.mean_duration, 1e3 * o.busy,
                  100 * o.shared, o.mean_pairs, static_cast<std::int64_t>(o.most_pairs), 100 * r.kinetic_left});
     }
-  table.note("k = 1000 is what the paper prints. Then also the strong collisions are longer than the pauses between them.");
+  table.note(
+      "k = 1000 is what the paper prints. Then also the strong collisions are longer than the pauses between them.");
   return table;
 }
 
 // Greatest difference of any velocity at the end [m/s].
 double distance(const Run& a, const Run& b) {
   double worst = 0;
-  for (std::size_t i = 0; i < 5; ++i) worst = std::max(worst, norm(a.samples.back().velocity[i] - b.samples.back().velocity[i]));
+  for (std::size_t i = 0; i < 5; ++i)
+    worst = std::max(worst, norm(a.samples.back().velocity[i] - b.samples.back().velocity[i]));
   return worst;
 }
 
@@ -97,8 +101,16 @@ Convergence converge(double alpha) {
 
 Table convergence_table(const std::vector<Convergence>& all) {
   const Notation sci{Notation::Kind::scientific, 2}, two{Notation::Kind::fixed, 2};
-  Table table({{"alpha"}, {"step", "s", sci}, {"velocities", "m/s", sci}, {"halved", "m/s", sci}, {"quartered", "m/s", sci},
-               {"order", "", two}, {"energy balance", "", sci}, {"halved ", "", sci}, {"quartered ", "", sci}, {"order ", "", two}},
+  Table table({{"alpha"},
+               {"step", "s", sci},
+               {"velocities", "m/s", sci},
+               {"halved", "m/s", sci},
+               {"quartered", "m/s", sci},
+               {"order", "", two},
+               {"energy balance", "", sci},
+               {"halved ", "", sci},
+               {"quartered ", "", sci},
+               {"order ", "", two}},
               "Convergence: error of the velocities at the end and of the energy balance, k = 1000 kg/s²");
   for (const Convergence& c : all)
     table.row({c.alpha, c.step, c.velocity[0], c.velocity[1], c.velocity[2], c.velocity_order, c.energy[0], c.energy[1],
@@ -114,7 +126,8 @@ void conservation_gates(std::vector<Gate>& gates, const Run& r) {
   gates.push_back(at_most("kinetic and stored energy, greatest relative rise" + at, r.energy_growth, 1e-6));
 }
 
-std::vector<Gate> gates(const std::vector<Run>& strong, const std::vector<Run>& weak, const std::vector<Convergence>& orders) {
+std::vector<Gate> gates(const std::vector<Run>& strong, const std::vector<Run>& weak,
+                        const std::vector<Convergence>& orders) {
   std::vector<Gate> all;
   conservation_gates(all, strong.front());
   conservation_gates(all, weak.front());
@@ -154,16 +167,20 @@ class ClusterStudy : public Study {
     const std::vector<Convergence> orders{converge(strong_alpha), converge(weak_alpha)};
     StudyResult result;
     result.gates = gates(strong, weak, orders);
-    result.tables = {shares(strong, weak), collisions(strong.front()), collisions(weak.front()), convergence_table(orders)};
-    result.figures = {cluster::trajectories(strong.front(), weak.front()), cluster::velocities(strong.front(), weak.front()),
-                      cluster::sequence(strong.front(), weak.front(), duration), cluster::binary(strong, weak, duration)};
-    const Overlap s = cluster::overlap(strong.front().collisions, duration), w = cluster::overlap(weak.front().collisions, duration);
+    result.tables = {shares(strong, weak), collisions(strong.front()), collisions(weak.front()),
+                     convergence_table(orders)};
+    result.figures = {
+        cluster::trajectories(strong.front(), weak.front()), cluster::velocities(strong.front(), weak.front()),
+        cluster::sequence(strong.front(), weak.front(), duration), cluster::binary(strong, weak, duration)};
+    const Overlap s = cluster::overlap(strong.front().collisions, duration),
+                  w = cluster::overlap(weak.front().collisions, duration);
     const Overlap hard = cluster::overlap(strong[3].collisions, duration);
-    result.verdict = "With the printed k = 1000 the strong collisions (" + console::significant(1e3 * s.mean_duration, 3) +
-                     " ms on average) overlap too, " + console::fixed(100 * s.shared, 0) + " % of the time; at k = 1e6 " +
-                     console::fixed(100 * hard.shared, 0) + " %, and they are binary as the paper shows them. Weak ones (" +
-                     console::significant(1e3 * w.mean_duration, 3) + " ms) are multiparticle at every k, up to " +
-                     std::to_string(w.most_pairs) + " pairs at once.";
+    result.verdict =
+        "With the printed k = 1000 the strong collisions (" + console::significant(1e3 * s.mean_duration, 3) +
+        " ms on average) overlap too, " + console::fixed(100 * s.shared, 0) + " % of the time; at k = 1e6 " +
+        console::fixed(100 * hard.shared, 0) + " %, and they are binary as the paper shows them. Weak ones (" +
+        console::significant(1e3 * w.mean_duration, 3) + " ms) are multiparticle at every k, up to " +
+        std::to_string(w.most_pairs) + " pairs at once.";
     return result;
   }
 };

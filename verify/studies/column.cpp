@@ -54,7 +54,8 @@ Figure6 measure(const std::vector<std::size_t>& beads, const ConversionFit& fit,
     figure.curves.push_back(std::move(curve));
   };
   using Share = std::optional<double>;
-  for (const ColumnLaw& law : column_laws()) add(law.id, [&](std::size_t n) -> Share { return share(run_case(law, n, c)); });
+  for (const ColumnLaw& law : column_laws())
+    add(law.id, [&](std::size_t n) -> Share { return share(run_case(law, n, c)); });
   add("fractional alpha=0.0258", [&](std::size_t n) -> Share { return share(run_fractional(paper_alpha, n, c)); });
   // Beyond what was fitted α(nc) would leave the range of the closed forms.
   add("fractional alpha(nc)", [&](std::size_t n) -> Share {
@@ -106,15 +107,18 @@ void claim_gates(std::vector<Gate>& gates, const Figure6& figure, const Conversi
   const double hard = figure.at("event-driven", 20);
   for (const ColumnLaw& law : column_laws()) {
     double nearest = 0;
-    for (std::size_t n = 2; n <= 20; ++n) nearest = std::max(nearest, figure.at(law.id, n) / figure.at("event-driven", n));
-    gates.push_back(at_most(std::string(law.id) + " detaches: greatest share over event-driven, nc = 2 to 20", nearest, 0.9));
-    gates.push_back(at_most(std::string(law.id) + " detaches: share over event-driven, nc = 20", figure.at(law.id, 20) / hard,
-                            0.5));
+    for (std::size_t n = 2; n <= 20; ++n)
+      nearest = std::max(nearest, figure.at(law.id, n) / figure.at("event-driven", n));
+    gates.push_back(
+        at_most(std::string(law.id) + " detaches: greatest share over event-driven, nc = 2 to 20", nearest, 0.9));
+    gates.push_back(at_most(std::string(law.id) + " detaches: share over event-driven, nc = 20",
+                            figure.at(law.id, 20) / hard, 0.5));
   }
   for (const char* id : {"linear1", "linear2"})
     gates.push_back(at_most(std::string(id) + ": more beads lose less, share at nc = 20 over nc = 1",
                             figure.at(id, 20) / figure.at(id, 1), 1));
-  gates.push_back(at_most("fractional alpha(nc) follows the event-driven column, greatest error of the share", fit.worst, 0.01));
+  gates.push_back(
+      at_most("fractional alpha(nc) follows the event-driven column, greatest error of the share", fit.worst, 0.01));
 }
 
 std::string verdict(const Figure6& figure, const ConversionFit& fit) {
@@ -128,10 +132,10 @@ std::string verdict(const Figure6& figure, const ConversionFit& fit) {
     apart = std::max(apart, std::abs(figure.at("fractional alpha=0.0258", n) - figure.at("hysteretic", n)));
   return "20 beads lose " + console::fixed(figure.at("event-driven", last), 3) +
          " of their energy in single collisions, but " + console::fixed(least, 3) + " to " + console::fixed(most, 3) +
-         " under laws with constant parameters: each detaches. With alpha(nc), s = (1 + " + console::fixed(fit.law.a, 4) +
-         " (nc - 1))^" + console::fixed(fit.law.b, 4) + ", the fractional law follows the event-driven shares to " +
-         console::fixed(fit.worst, 4) + ". Constant alpha = 0.0258 stays within " + console::fixed(apart, 3) +
-         " of the hysteretic law.";
+         " under laws with constant parameters: each detaches. With alpha(nc), s = (1 + " +
+         console::fixed(fit.law.a, 4) + " (nc - 1))^" + console::fixed(fit.law.b, 4) +
+         ", the fractional law follows the event-driven shares to " + console::fixed(fit.worst, 4) +
+         ". Constant alpha = 0.0258 stays within " + console::fixed(apart, 3) + " of the hysteretic law.";
 }
 
 std::string share_finding(const Figure6& figure) {
@@ -142,7 +146,8 @@ std::string share_finding(const Figure6& figure) {
   };
   return "With " + std::to_string(last) + " beads single collisions (event-driven) would take " + text("event-driven") +
          " of the energy, the hysteretic law takes " + text("hysteretic") + ", linear1 " + text("linear1") +
-         ", the fractional law with constant α " + text("fractional") + "; with α(nc) it takes " + text("fractional alpha(nc)") + ".";
+         ", the fractional law with constant α " + text("fractional") + "; with α(nc) it takes " +
+         text("fractional alpha(nc)") + ".";
 }
 
 Json rows(const Figure6& figure, const ColumnCase& c) {
@@ -150,8 +155,13 @@ Json rows(const Figure6& figure, const ColumnCase& c) {
   for (const ShareCurve& curve : figure.curves)
     for (std::size_t i = 0; i < figure.beads.size(); ++i) {
       const auto& value = curve.share[i];
-      all.push_back({{"nc", figure.beads[i]}, {"gap", c.gap}, {"law", curve.id}, {"en", c.en}, {"tcol", c.tcol},
-                     {"share", value ? Json(*value) : Json()}, {"energy_ratio", value ? Json(1 - *value) : Json()}});
+      all.push_back({{"nc", figure.beads[i]},
+                     {"gap", c.gap},
+                     {"law", curve.id},
+                     {"en", c.en},
+                     {"tcol", c.tcol},
+                     {"share", value ? Json(*value) : Json()},
+                     {"energy_ratio", value ? Json(1 - *value) : Json()}});
     }
   return all;
 }
@@ -173,12 +183,16 @@ class ColumnStudy : public Study {
   }
 
   void add_options(CLI::App& app) override {
-    app.add_option("--nc", beads_, "number of beads of one column (default 10), or of the longest one (default 20)")->type_name("N");
+    app.add_option("--nc", beads_, "number of beads of one column (default 10), or of the longest one (default 20)")
+        ->type_name("N");
     console::add_number(app, "--gap", case_.gap, "gap under each bead [m], in [0, 1] (default 1e-6)");
     console::add_number(app, "--en", case_.en, "restitution that every law is made for, in [0.001, 1) (default 0.945)");
-    console::add_number(app, "--tcol", case_.tcol, "collision time that every law is made for [s], in [1e-9, 1] (default 1e-4)");
-    app.add_option("--law", law_, "run one column of: linear1 (or linear), linear2, kuwabara-kono, tsuji, hysteretic, fractional");
-    app.add_option("--steps", case_.steps, "time steps a collision time (default " + std::to_string(case_.steps) + ")")->type_name("N");
+    console::add_number(app, "--tcol", case_.tcol,
+                        "collision time that every law is made for [s], in [1e-9, 1] (default 1e-4)");
+    app.add_option("--law", law_,
+                   "run one column of: linear1 (or linear), linear2, kuwabara-kono, tsuji, hysteretic, fractional");
+    app.add_option("--steps", case_.steps, "time steps a collision time (default " + std::to_string(case_.steps) + ")")
+        ->type_name("N");
   }
 
   StudyResult run(const RunOptions& options) override {
@@ -199,7 +213,8 @@ class ColumnStudy : public Study {
     if (!(case_.tcol >= 1e-9 && case_.tcol <= 1)) reject("--tcol", case_.tcol, "in [1e-9, 1]");
     if (case_.steps < 10 || case_.steps > 100000) reject("--steps", case_.steps, "from 10 to 100000");
     if (!law_.empty() && !find_column_law(law_))
-      throw console::BadInput("--law", law_, "linear1 (or linear), linear2, kuwabara-kono, tsuji, hysteretic or fractional");
+      throw console::BadInput("--law", law_,
+                              "linear1 (or linear), linear2, kuwabara-kono, tsuji, hysteretic or fractional");
   }
 
   StudyResult one_column() const {
@@ -212,8 +227,14 @@ class ColumnStudy : public Study {
                console::shortest(share(out)) + ", " + std::to_string(out.contacts) + " contacts, " +
                std::to_string(out.steps) + " steps");
     result.tables = {table};
-    result.extra = {{"nc", beads}, {"gap", case_.gap}, {"law", law_}, {"en", case_.en}, {"tcol", case_.tcol},
-                    {"energy_ratio", out.energy_ratio}, {"velocities", out.velocity}, {"contacts", out.contacts},
+    result.extra = {{"nc", beads},
+                    {"gap", case_.gap},
+                    {"law", law_},
+                    {"en", case_.en},
+                    {"tcol", case_.tcol},
+                    {"energy_ratio", out.energy_ratio},
+                    {"velocities", out.velocity},
+                    {"contacts", out.contacts},
                     {"steps", out.steps}};
     result.gates = {between("energy is lost, not gained: E/E0", out.energy_ratio, 0, 1)};
     result.verdict = std::to_string(beads) + " beads keep " + console::significant(out.energy_ratio, 6) +
@@ -236,10 +257,13 @@ class ColumnStudy : public Study {
     const Figure6 figure = measure(beads, fit, case_);
 
     StudyResult result;
-    Table shares = share_table("nc", "", {beads.begin(), beads.end()}, figure.curves,
-                               "Dissipated share (62) against the number of beads, gap " + console::shortest(case_.gap) +
-                                   " m, en " + console::shortest(case_.en) + ", tcol " + console::shortest(case_.tcol) + " s");
-    shares.note("-: the event-driven column collapses (infinitely many collisions in a finite time); alpha(nc) is not fitted there.");
+    Table shares =
+        share_table("nc", "", {beads.begin(), beads.end()}, figure.curves,
+                    "Dissipated share (62) against the number of beads, gap " + console::shortest(case_.gap) +
+                        " m, en " + console::shortest(case_.en) + ", tcol " + console::shortest(case_.tcol) + " s");
+    shares.note(
+        "-: the event-driven column collapses (infinitely many collisions in a finite time); alpha(nc) is not fitted "
+        "there.");
     result.tables = {std::move(shares), fit_table(fit)};
     result.figures = {share_figure(beads, figure.curves)};
     result.figures[0].finding = share_finding(figure);
@@ -251,25 +275,30 @@ class ColumnStudy : public Study {
       result.tables.push_back(std::move(proofs.orders));
       claim_gates(result.gates, figure, fit);
       result.verdict = verdict(figure, fit);
-      result.remarks = {{"Fig. 6, α for e_n = 0.945",
-                         "Printed as 0.0258. That α restores " + console::significant(fractional_contact(paper_alpha).en, 6) +
-                             "; e_n = 0.945 needs α = " + console::significant(conversion_degree(0.945), 6) + "."},
-                        {"Fig. 6, α(n_c)",
-                         "Printed as \"1+exp(−n_c)\", which exceeds 1. Read as 1 − (1 − α_1)^s with s = (1 + " +
-                             console::fixed(fit.law.a, 4) + " (n_c − 1))^" + console::fixed(fit.law.b, 4) +
-                             " it follows the event-driven column to " + console::fixed(fit.worst, 4) + "."}};
+      result.remarks = {
+          {"Fig. 6, α for e_n = 0.945",
+           "Printed as 0.0258. That α restores " + console::significant(fractional_contact(paper_alpha).en, 6) +
+               "; e_n = 0.945 needs α = " + console::significant(conversion_degree(0.945), 6) + "."},
+          {"Fig. 6, α(n_c)", "Printed as \"1+exp(−n_c)\", which exceeds 1. Read as 1 − (1 − α_1)^s with s = (1 + " +
+                                 console::fixed(fit.law.a, 4) + " (n_c − 1))^" + console::fixed(fit.law.b, 4) +
+                                 " it follows the event-driven column to " + console::fixed(fit.worst, 4) + "."}};
     }
     result.rows = rows(figure, case_);
-    result.extra = {{"alpha_fit", {{"form", "1 - (1 - alpha_1)^((1 + a (nc - 1))^b)"}, {"alpha_1", fit.law.first},
-                                   {"a", fit.law.a}, {"b", fit.law.b}, {"worst_error", fit.worst}, {"rms_error", fit.rms},
-                                   {"evaluations", fit.evaluations}}}};
+    result.extra = {{"alpha_fit",
+                     {{"form", "1 - (1 - alpha_1)^((1 + a (nc - 1))^b)"},
+                      {"alpha_1", fit.law.first},
+                      {"a", fit.law.a},
+                      {"b", fit.law.b},
+                      {"worst_error", fit.worst},
+                      {"rms_error", fit.rms},
+                      {"evaluations", fit.evaluations}}}};
     return result;
   }
 
   void add_gap_dependence(StudyResult& result) const {
     constexpr std::size_t beads = 10;
-    const std::vector<double> gaps{1e-8, 1e-7, 3e-7, 1e-6, 2e-6, 3e-6, 5e-6, 7e-6, 1e-5, 1.5e-5, 2e-5,
-                                   3e-5, 5e-5, 7e-5, 1e-4, 1e-3, 1e-2};
+    const std::vector<double> gaps{1e-8,   1e-7, 3e-7, 1e-6, 2e-6, 3e-6, 5e-6, 7e-6, 1e-5,
+                                   1.5e-5, 2e-5, 3e-5, 5e-5, 7e-5, 1e-4, 1e-3, 1e-2};
     std::vector<ShareCurve> curves{{"event-driven", {}}};
     ColumnCase c = case_;
     for (std::size_t i = 0; i < gaps.size(); ++i) curves[0].share.push_back(event_driven_share(beads, c));
@@ -285,9 +314,9 @@ class ColumnStudy : public Study {
     result.figures.push_back(gap_figure(beads, gaps, curves));
     const auto hard = curves[0].share.back();
     result.figures.back().finding =
-        "At the widest gap every law takes what single collisions take" + (hard ? ", " + console::fixed(*hard, 2) : std::string()) +
-        "; at the narrowest they take between " + console::fixed(extreme(curves, false), 2) + " and " +
-        console::fixed(extreme(curves, true), 2) + ".";
+        "At the widest gap every law takes what single collisions take" +
+        (hard ? ", " + console::fixed(*hard, 2) : std::string()) + "; at the narrowest they take between " +
+        console::fixed(extreme(curves, false), 2) + " and " + console::fixed(extreme(curves, true), 2) + ".";
   }
 
   std::optional<int> beads_;

@@ -56,21 +56,30 @@ Table to_table(const std::vector<Convergence>& all, const std::string& caption) 
   const Notation order{Notation::Kind::fixed, 2}, error{Notation::Kind::scientific, 1};
   bool offsets = false;
   for (const Convergence& c : all) offsets |= !c.worst.empty();
-  std::vector<console::Column> columns{{"scheme"}, {"function"}, {"alpha", "", order}, {"stated", "", order},
-                                       {"observed", "", order}, {"allowed", "", order}, {"N"},
-                                       {"coarsest error", "", error}, {"finest error", "", error}};
+  std::vector<console::Column> columns{{"scheme"},
+                                       {"function"},
+                                       {"alpha", "", order},
+                                       {"stated", "", order},
+                                       {"observed", "", order},
+                                       {"allowed", "", order},
+                                       {"N"},
+                                       {"coarsest error", "", error},
+                                       {"finest error", "", error}};
   if (offsets) columns.push_back({"finest, worst offset", "", error});
   for (const char* name : {"Richardson error", "GCI"}) columns.push_back({name, "", error});
   columns.push_back({"pass"});
   Table table(columns, caption);
   for (const Convergence& c : all) {
     const bool exact = !c.statement.order;
-    std::vector<console::Cell> cells{c.statement.scheme, c.statement.function, c.statement.alpha,
+    std::vector<console::Cell> cells{c.statement.scheme,
+                                     c.statement.function,
+                                     c.statement.alpha,
                                      exact ? console::Cell("exact") : console::Cell(*c.statement.order),
                                      exact ? console::blank() : console::number_or_blank(c.observed()),
                                      exact ? console::blank() : console::Cell(c.statement.allowed),
                                      std::to_string(c.steps.front()) + ".." + std::to_string(c.steps.back()),
-                                     c.errors.front(), c.errors.back()};
+                                     c.errors.front(),
+                                     c.errors.back()};
     if (offsets) cells.push_back(c.worst.empty() ? console::blank() : console::Cell(c.worst.back()));
     cells.push_back(exact ? console::blank() : console::number_or_blank(c.richardson_error()));
     cells.push_back(exact ? console::blank() : console::number_or_blank(c.grid_convergence_index()));

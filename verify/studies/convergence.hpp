@@ -30,8 +30,8 @@ struct Convergence {
   std::vector<double> errors = {};  ///< |value − exact|; for solvers the mean over the offsets of the mesh
   std::vector<double> worst = {};   ///< over the offsets; empty where there is only one
   std::vector<double> values = {};  ///< signed errors, for the extrapolation; the mean over the offsets
-  double rounding = exact_bound;  ///< errors below, relative to the scale, are left out of the observed order
-  double scale = 1;               ///< of the exact value, for "exact to rounding"
+  double rounding = exact_bound;    ///< errors below, relative to the scale, are left out of the observed order
+  double scale = 1;                 ///< of the exact value, for "exact to rounding"
 
   /// Mean of the orders of the last three pairs of meshes whose errors stand above rounding.
   double observed() const;

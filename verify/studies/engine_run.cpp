@@ -169,7 +169,8 @@ std::string last_words(const std::string& log) {
 void run_in(const console::ScratchFolder& folder, std::vector<std::string> arguments, const char* what) {
   const console::Ran ran = console::run(
       {std::move(arguments), folder.path(), {}, {"QT_QPA_PLATFORM=offscreen", "OMPI_MCA_ess_singleton_isolated=1"}});
-  if (!ran.found || ran.status != 0) throw console::Failed(std::string(what) + ": " + last_words(ran.out + "\n" + ran.err));
+  if (!ran.found || ran.status != 0)
+    throw console::Failed(std::string(what) + ": " + last_words(ran.out + "\n" + ran.err));
 }
 
 }  // namespace
@@ -196,8 +197,9 @@ std::vector<Trajectory> EngineProgram::run(const std::string& snippet, const Enc
   const bool yade = engine_ == Engine::yade;
   const std::string script = yade ? "script.py" : "script";  // Yade goes by the ending
   folder.write(script, script_of(engine_, pair, steps));
-  run_in(folder, yade ? std::vector{command_, std::string("-n"), std::string("-x"), script}
-                      : std::vector{command_, std::string("-in"), script, std::string("-log"), std::string("none")},
+  run_in(folder,
+         yade ? std::vector{command_, std::string("-n"), std::string("-x"), script}
+              : std::vector{command_, std::string("-in"), script, std::string("-log"), std::string("none")},
          text(engine_).data());
   std::vector<Trajectory> trajectories;
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -31,17 +31,16 @@ struct Axes {
   const char *x_label, *y_label;
 };
 
-constexpr Axes over_time[] = {{2, 3, "t [µs]", "overlap [µm]"},
-                              {2, 4, "t [µs]", "velocity [m/s]"},
-                              {2, 5, "t [µs]", "force [N]"}};
+constexpr Axes over_time[] = {
+    {2, 3, "t [µs]", "overlap [µm]"}, {2, 4, "t [µs]", "velocity [m/s]"}, {2, 5, "t [µs]", "force [N]"}};
 constexpr Axes phases[] = {{3, 4, "overlap [µm]", "velocity [m/s]"},
                            {3, 5, "overlap [µm]", "force [N]"},
                            {4, 5, "velocity [m/s]", "force [N]"}};
 
 /// The i-th curve of a group, in colours that differ.
 std::string line(std::size_t i) {
-  constexpr const char* colours[] = {console::palette::purple, console::palette::blue, console::palette::green, console::palette::orange,
-                                     console::palette::vermilion};
+  constexpr const char* colours[] = {console::palette::purple, console::palette::blue, console::palette::green,
+                                     console::palette::orange, console::palette::vermilion};
   return std::string("with lines lw 2 lc '") + colours[i % std::size(colours)] + "'";
 }
 
@@ -66,8 +65,8 @@ double coordinate(const TracePoint& p, int column) {
   return column == 2 ? 1e6 * p.time : column == 3 ? 1e6 * p.overlap : column == 4 ? p.rate : p.force;
 }
 
-/// The distance of an axis's tics, 1, 2 or 5 times a power of ten: left to itself gnuplot sets so many that their labels
-/// touch in a panel of this width.
+/// The distance of an axis's tics, 1, 2 or 5 times a power of ten: left to itself gnuplot sets so many that their
+/// labels touch in a panel of this width.
 double tic_step(const std::vector<Curve>& curves, int panel, int column) {
   double low = 0, high = 0;
   for (const Curve& curve : curves) {
@@ -90,7 +89,8 @@ console::Figure figure(const std::string& name, const std::string& caption, cons
   const std::string file = name + ".csv";
   std::string script = "set multiplot layout " + std::to_string(rows.size()) + "," + std::to_string(columns.size()) +
                        " margins " + (columns.size() == 1 ? "0.13" : "0.08") +
-                       ",0.96,0.07,0.95 spacing 0.08,0.075\nset key font ',10' samplen 1.5 spacing 1\nset xzeroaxis lt 1 lc rgb 'black' lw 0.6\nset title font ',15'\n";
+                       ",0.96,0.07,0.95 spacing 0.08,0.075\nset key font ',10' samplen 1.5 spacing 1\nset xzeroaxis lt "
+                       "1 lc rgb 'black' lw 0.6\nset title font ',15'\n";
   for (std::size_t row = 0; row < rows.size(); ++row)
     for (std::size_t column = 0; column < columns.size(); ++column) {
       const Axes& axes = rows[row];
@@ -158,12 +158,13 @@ console::Figure figure2() {
     }
     curves.push_back({"exact", closed_form(steel, steel_impact, steel_tcol), "with lines lw 2 lc 'black'", column});
   }
-  auto drawn = figure("figure2",
-                "Fig. 2: overlap, velocity and force for growing numbers of steps; left (59) as written, right "
-                "the arms with the exponential step.",
-                curves, over_time, {{"(59) as written", "top right", 1}, {"arms, exponential step", "top right", 1}});
-  drawn.finding = "With 40 steps (59) as written misses the last velocity by " + missed[0] + " m/s, the arms with the exponential step by " +
-                  missed[1] + " m/s.";
+  auto drawn =
+      figure("figure2",
+             "Fig. 2: overlap, velocity and force for growing numbers of steps; left (59) as written, right "
+             "the arms with the exponential step.",
+             curves, over_time, {{"(59) as written", "top right", 1}, {"arms, exponential step", "top right", 1}});
+  drawn.finding = "With 40 steps (59) as written misses the last velocity by " + missed[0] +
+                  " m/s, the arms with the exponential step by " + missed[1] + " m/s.";
   return drawn;
 }
 
@@ -246,14 +247,17 @@ console::Figure figure5(const std::vector<Printed>& laws) {
     motions.push_back({law.name, {}});
     const std::size_t every = law.points.size() > 1000 ? 10 : 1;
     for (std::size_t i = 0; i < law.points.size(); i += every)
-      motions.back().moments.push_back({law.points[i].time, law.points[i].overlap, law.points[i].rate, law.points[i].force});
+      motions.back().moments.push_back(
+          {law.points[i].time, law.points[i].overlap, law.points[i].rate, law.points[i].force});
     if (law.points.back().overlap > deepest->points.back().overlap) deepest = &law;
     if (law.points.back().overlap < shallowest->points.back().overlap) shallowest = &law;
   }
   auto figure = console::collision_panels(
-      "figure5", "Fig. 5: overlap, velocity and force under every law of Table II with the printed coefficients.", motions);
-  figure.finding = "All five laws bring the spheres from 0.5 to about " + console::fixed(laws.front().points.back().rate, 2) +
-                   " m/s in about " + console::significant(1e6 * laws.front().collision.tcol, 3) +
+      "figure5", "Fig. 5: overlap, velocity and force under every law of Table II with the printed coefficients.",
+      motions);
+  figure.finding = "All five laws bring the spheres from 0.5 to about " +
+                   console::fixed(laws.front().points.back().rate, 2) + " m/s in about " +
+                   console::significant(1e6 * laws.front().collision.tcol, 3) +
                    " µs; they differ on the way, and in the overlap left at the end: " +
                    console::fixed(1e6 * shallowest->points.back().overlap, 1) + " µm for " + shallowest->name + ", " +
                    console::fixed(1e6 * deepest->points.back().overlap, 1) + " µm for " + deepest->name + ".";
@@ -305,10 +309,12 @@ class Figures : public Study {
                                     "Fig. 4: phase curves for the three groups of alpha; circles: product "
                                     "trapezoid, 30 steps.",
                                     alpha_curves(), phases, planes));
-    result.figures[1].finding = "Below 0 the spheres leave faster than they came; between 0 and 1 they leave the slower the "
-                                "greater α; above 1 they stay together. The solver's points lie within " +
-                                console::scientific(solver_distance(), 0) + " of v0 of the closed form.";
-    result.figures[2].finding = "The loops of velocity over overlap are closed by less and less velocity as α grows; above 1 they stay open.";
+    result.figures[1].finding =
+        "Below 0 the spheres leave faster than they came; between 0 and 1 they leave the slower the "
+        "greater α; above 1 they stay together. The solver's points lie within " +
+        console::scientific(solver_distance(), 0) + " of v0 of the closed form.";
+    result.figures[2].finding =
+        "The loops of velocity over overlap are closed by less and less velocity as α grows; above 1 they stay open.";
     result.figures.push_back(figure5(laws));
     result.verdict =
         "Four figures with their data; the printed coefficients of Table II end within 0.2 % of t_col = 1e-4 s "

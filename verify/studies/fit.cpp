@@ -104,7 +104,8 @@ console::Figure figure_of(const Source& source, const std::vector<Measurement>& 
           {{source.file + ".csv", table.csv()}}};
 }
 
-/// What the sources show: gates, tables and figures go to `result`; the greatest scatter of α(v) over that of a constant α.
+/// What the sources show: gates, tables and figures go to `result`; the greatest scatter of α(v) over that of a
+/// constant α.
 double fit_sources(StudyResult& result) {
   double greatest = 0;
   for (const Source& source : sources) {

@@ -24,8 +24,8 @@ const char* name_of(int p) {
   return p < 0 ? "contact" : powers[p];
 }
 
-/// p > 0: t^p. p = 0: sin t = t E_{2,2}(−t²), so D^α sin t = t^{1−α} E_{2,2−α}(−t²). p = −1: the collision's own motion at
-/// order a = contact_alpha, A = v₀ = 1: t E_{2−a,2}(−t^{2−a}), whose derivatives of order q are t^{1−q} E_{2−a,2−q}.
+/// p > 0: t^p. p = 0: sin t = t E_{2,2}(−t²), so D^α sin t = t^{1−α} E_{2,2−α}(−t²). p = −1: the collision's own motion
+/// at order a = contact_alpha, A = v₀ = 1: t E_{2−a,2}(−t^{2−a}), whose derivatives of order q are t^{1−q} E_{2−a,2−q}.
 Tested tested_function(int p, double order, double contact_alpha) {
   if (p > 0)
     return {name_of(p), [p](double t) { return std::pow(t, p); }, [p](double t) { return p * std::pow(t, p - 1); },
@@ -43,9 +43,9 @@ Statement stated(const std::string& scheme, double alpha, int p, std::optional<d
   return {scheme, name_of(p), alpha, order, allowed};
 }
 
-// Allowed deviations. Next to h^p stands, at a fixed time, a term of order p + gap. Where the gap is below 1/2 the slopes
-// between N = 512 and 4096 still carry it: |observed − p| ≈ gap·|c₂/c₁| 2000^{−gap}, up to about gap/2 for coefficients
-// of one size. 0.15 is allowed for gap < 1/2, 0.1 else.
+// Allowed deviations. Next to h^p stands, at a fixed time, a term of order p + gap. Where the gap is below 1/2 the
+// slopes between N = 512 and 4096 still carry it: |observed − p| ≈ gap·|c₂/c₁| 2000^{−gap}, up to about gap/2 for
+// coefficients of one size. 0.15 is allowed for gap < 1/2, 0.1 else.
 double allowance(double gap) { return gap < 0.5 ? 0.15 : 0.1; }
 
 using Stated = std::function<Statement(double alpha, int p)>;

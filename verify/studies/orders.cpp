@@ -82,14 +82,16 @@ class Orders : public Study {
     for (const Convergence& c : all)
       if (c.statement.scheme == "(59) derivative" && c.statement.order) paper = std::max(paper, c.observed());
     result.extra["highest_observed_order_of_59"] = paper;
-    result.remarks = {{"Eqs. (59) and (60), order",
-                       "Called accurate to the fourth power of the number of steps, with an exponent that may be garbled. As written "
-                       "(59) reaches at most order " + console::fixed(paper, 2) +
-                           " in this run: f^(n) is held constant over each step at its left value, a rectangle rule."}};
+    result.remarks = {
+        {"Eqs. (59) and (60), order",
+         "Called accurate to the fourth power of the number of steps, with an exponent that may be garbled. As written "
+         "(59) reaches at most order " +
+             console::fixed(paper, 2) +
+             " in this run: f^(n) is held constant over each step at its left value, a rectangle rule."}};
     const auto off = std::count_if(all.begin(), all.end(), [](const Convergence& c) { return !c.pass(); });
     result.verdict = std::to_string(all.size() - static_cast<std::size_t>(off)) + " of " + std::to_string(all.size()) +
-                     " measurements confirm the derived order; (59) reaches at most " +
-                     console::fixed(paper, 2) + ", the order of a rectangle rule.";
+                     " measurements confirm the derived order; (59) reaches at most " + console::fixed(paper, 2) +
+                     ", the order of a rectangle rule.";
     return result;
   }
 };

@@ -220,9 +220,11 @@ StudyResult Peers::run(const RunOptions&) {
   result.tables = {overview(curves, asked), collision_times(), sources(curves)};
   result.rows = rows(curves, asked);
   result.figures = {figure(curves, asked)};
-  result.figures[0].finding = "Only the logarithmic form with the contact ended by overlap gives what was asked; with a clipped "
-                              "force it gives " + console::fixed(clipped.obtained[half] - 0.5, 3) +
-                              " too much at 0.5, LAMMPS tsuji of 2021 " + console::fixed(lammps.obtained[half] - 0.5, 3) + ".";
+  result.figures[0].finding =
+      "Only the logarithmic form with the contact ended by overlap gives what was asked; with a clipped "
+      "force it gives " +
+      console::fixed(clipped.obtained[half] - 0.5, 3) + " too much at 0.5, LAMMPS tsuji of 2021 " +
+      console::fixed(lammps.obtained[half] - 0.5, 3) + ".";
   result.verdict = "Asked for 0.5, LAMMPS of 2021 with damping tsuji gives " +
                    console::fixed(lammps.obtained[half], 4) + " and every logarithmic form with a clipped force " +
                    console::fixed(clipped.obtained[half], 4) + ".";

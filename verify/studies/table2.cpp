@@ -100,8 +100,13 @@ double worst_coefficient(const Row& row) {
 
 Table coefficients(const std::vector<Row>& rows) {
   const Notation nine{Notation::Kind::significant, 9};
-  Table table({{"law"}, {"end"}, {"coefficient"}, {"paper", "", nine}, {"ours", "", nine},
-               {"paper/ours - 1", "%", {Notation::Kind::fixed, 4}}, {"unit"}},
+  Table table({{"law"},
+               {"end"},
+               {"coefficient"},
+               {"paper", "", nine},
+               {"ours", "", nine},
+               {"paper/ours - 1", "%", {Notation::Kind::fixed, 4}},
+               {"unit"}},
               "Table II: coefficients for t_col = 1e-4 s, e_n = 0.5");
   for (const Row& row : rows)
     for (std::size_t i = 0; i < row.paper.size(); ++i)
@@ -113,8 +118,13 @@ Table coefficients(const std::vector<Row>& rows) {
 Table outcomes(const std::vector<Row>& rows) {
   const Notation rough{Notation::Kind::scientific, 1}, percent{Notation::Kind::fixed, 4};
   const Notation seven{Notation::Kind::significant, 7};
-  Table table({{"law"}, {"paper: tcol", "s", seven}, {"error", "%", percent}, {"paper: en", "", seven},
-               {"error", "%", percent}, {"ours: tcol error", "", rough}, {"ours: en error", "", rough}},
+  Table table({{"law"},
+               {"paper: tcol", "s", seven},
+               {"error", "%", percent},
+               {"paper: en", "", seven},
+               {"error", "%", percent},
+               {"ours: tcol error", "", rough},
+               {"ours: en error", "", rough}},
               "What the coefficients give, by numerical collision");
   for (const Row& row : rows)
     table.row({row.name, row.paper_gives.tcol, 100 * (row.paper_gives.tcol / target.tcol - 1), row.paper_gives.en,
@@ -137,9 +147,13 @@ Json rows_json(const std::vector<Row>& rows) {
       if (!row.ours[i].unit.empty()) units[row.ours[i].name] = row.ours[i].unit;
       difference[row.ours[i].name] = row.paper[i].value / row.ours[i].value - 1;
     }
-    all.push_back({{"name", row.name}, {"law", text(row.law)}, {"end", text(row.end)},
-                   {"paper", side(row.paper, row.paper_gives)}, {"ours", side(row.ours, row.ours_give)},
-                   {"relative_difference", difference}, {"units", units}});
+    all.push_back({{"name", row.name},
+                   {"law", text(row.law)},
+                   {"end", text(row.end)},
+                   {"paper", side(row.paper, row.paper_gives)},
+                   {"ours", side(row.ours, row.ours_give)},
+                   {"relative_difference", difference},
+                   {"units", units}});
   }
   return all;
 }
@@ -158,7 +172,8 @@ class Table2 : public Study {
  public:
   std::string name() const override { return "table2"; }
   std::string claim() const override {
-    return "The coefficients of the paper's Table II give every law a collision time of 1e-4 s and a restitution of 0.5";
+    return "The coefficients of the paper's Table II give every law a collision time of 1e-4 s and a restitution of "
+           "0.5";
   }
   StudyResult run(const RunOptions&) override {
     std::vector<Row> rows = printed_rows();
@@ -168,26 +183,33 @@ class Table2 : public Study {
       complete(row);
       greatest = std::max(greatest, worst_coefficient(row));
       greatest_miss = std::max(greatest_miss, miss(row.paper_gives));
-      result.gates.push_back(at_most(row.name + ": our coefficients miss the target by, relative", miss(row.ours_give), hit));
+      result.gates.push_back(
+          at_most(row.name + ": our coefficients miss the target by, relative", miss(row.ours_give), hit));
       result.gates.push_back(at_most(row.name + ": the paper's coefficients differ from ours by, relative",
                                      worst_coefficient(row), greatest_deviation));
     }
     const double moved = overlap_end_moved();
-    result.gates.push_back(at_most("fractional: another (k, c) for the same target moves the end overlap by, relative", moved, hit));
+    result.gates.push_back(
+        at_most("fractional: another (k, c) for the same target moves the end overlap by, relative", moved, hit));
     result.tables = {coefficients(rows), outcomes(rows)};
-    result.remarks = {{"Table II, coefficients",
-                       "The printed coefficients differ from the exact ones by up to " + console::significant(100 * greatest, 2) +
-                           " % and miss t_col = 1e-4 s or e_n = 0.5 by up to " + console::significant(100 * greatest_miss, 2) + " %."},
-                      {"Remark under Fig. 5, end overlaps",
-                       "Other sets of coefficients are said to give other overlaps at the end of the collision. For one (t_col, e_n) "
-                       "they do not: with k five times as great and c to match, the end overlap moves by a share of " +
-                           console::scientific(moved, 0) + ". α follows from e_n alone, and c^α k^(1−α) from t_col; nothing is left to choose."}};
+    result.remarks = {
+        {"Table II, coefficients", "The printed coefficients differ from the exact ones by up to " +
+                                       console::significant(100 * greatest, 2) +
+                                       " % and miss t_col = 1e-4 s or e_n = 0.5 by up to " +
+                                       console::significant(100 * greatest_miss, 2) + " %."},
+        {"Remark under Fig. 5, end overlaps",
+         "Other sets of coefficients are said to give other overlaps at the end of the collision. For one (t_col, e_n) "
+         "they do not: with k five times as great and c to match, the end overlap moves by a share of " +
+             console::scientific(moved, 0) +
+             ". α follows from e_n alone, and c^α k^(1−α) from t_col; nothing is left to choose."}};
     result.rows = rows_json(rows);
-    result.extra["target"] = {{"tcol", target.tcol}, {"en", target.en}, {"velocity", target.impact.velocity},
+    result.extra["target"] = {{"tcol", target.tcol},
+                              {"en", target.en},
+                              {"velocity", target.impact.velocity},
                               {"mass_eff", target.impact.mass_eff}};
     result.verdict = "The printed coefficients are within " + console::significant(100 * greatest, 2) +
-                     " % of the exact ones and miss the target by up to " + console::significant(100 * greatest_miss, 2) +
-                     " %.";
+                     " % of the exact ones and miss the target by up to " +
+                     console::significant(100 * greatest_miss, 2) + " %.";
     return result;
   }
 };

@@ -40,9 +40,7 @@ struct Fig2 {
   }
   double estimate(double density) const { return tcol_estimate(coefficient(density), alpha); }
   /// (57) with the correction 1.641 taken plainly, not to the power 1−α: the other way to read the print.
-  double plain_estimate(double density) const {
-    return estimate(density) * std::pow(1.641, alpha / (2 - alpha));
-  }
+  double plain_estimate(double density) const { return estimate(density) * std::pow(1.641, alpha / (2 - alpha)); }
 };
 
 Table over_alpha() {
@@ -64,14 +62,12 @@ Table over_alpha() {
 
 Table readings(const Fig2& figure) {
   const Notation four{Notation::Kind::fixed, 3};
-  Table table({{"density", "kg/m³"},
-               {"exact", "µs", four},
-               {"estimate", "µs", four},
-               {"estimate, plain 1.641", "µs", four}},
-              "The case of Fig. 2, whose density is printed as 7680 or 7850; the text has 38.6 and 37.8 µs");
+  Table table(
+      {{"density", "kg/m³"}, {"exact", "µs", four}, {"estimate", "µs", four}, {"estimate, plain 1.641", "µs", four}},
+      "The case of Fig. 2, whose density is printed as 7680 or 7850; the text has 38.6 and 37.8 µs");
   for (const double density : {7680.0, 7850.0})
-    table.row({density, 1e6 * figure.exact(density), 1e6 * figure.estimate(density),
-               1e6 * figure.plain_estimate(density)});
+    table.row(
+        {density, 1e6 * figure.exact(density), 1e6 * figure.estimate(density), 1e6 * figure.plain_estimate(density)});
   return table;
 }
 
@@ -105,7 +101,8 @@ console::Figure drawing(const Table& table) {
           "The estimate (57) of the collision time over the exact one: just below 1 at alpha = 0, and falling.",
           "set xlabel 'conversion degree α'\nset ylabel 'estimate (57) / exact collision time'\n"
           "set yrange [0:1.05]\nset xrange [0:1]\nunset key\n"
-          "set label 1 'exact' at 0.985,1.02 right tc rgb '#767676'\nset label 2 'estimate (57)' at 0.66,0.86 tc rgb '#0072b2'\n"
+          "set label 1 'exact' at 0.985,1.02 right tc rgb '#767676'\nset label 2 'estimate (57)' at 0.66,0.86 tc rgb "
+          "'#0072b2'\n"
           "plot 1 with lines lw 1.5 dt 2 lc rgb '#767676', \\\n"
           "  'tcol.csv' skip 1 using 1:(1+$5/100) with linespoints pt 7 ps 0.5 lw 2.5 lc rgb '#0072b2'",
           {{"tcol.csv", table.csv()}}};
@@ -113,20 +110,23 @@ console::Figure drawing(const Table& table) {
 
 std::vector<Remark> remarks(const Fig2& figure) {
   const auto micro = [](double seconds) { return console::fixed(1e6 * seconds, 2) + " µs"; };
-  return {{"Table I, density of Fig. 2",
-           "Reads 7680 or 7850 kg/m³. 7850 gives a collision time of " + micro(figure.exact(7850)) + " and an estimate (57) of " +
-               micro(figure.estimate(7850)) + ", as printed (38.6 and 37.8 µs); 7680 gives " + micro(figure.exact(7680)) + " and " +
-               micro(figure.estimate(7680)) + "."},
-          {"Eq. (57)",
-           "The exponent of 1.641 is not legible. With 1−α the estimate for Fig. 2 is " + micro(figure.estimate(7850)) +
-               ", below the exact time, as the text says; with 1.641 taken plainly it would be " + micro(figure.plain_estimate(7850)) +
-               ", above it."}};
+  return {
+      {"Table I, density of Fig. 2", "Reads 7680 or 7850 kg/m³. 7850 gives a collision time of " +
+                                         micro(figure.exact(7850)) + " and an estimate (57) of " +
+                                         micro(figure.estimate(7850)) + ", as printed (38.6 and 37.8 µs); 7680 gives " +
+                                         micro(figure.exact(7680)) + " and " + micro(figure.estimate(7680)) + "."},
+      {"Eq. (57)", "The exponent of 1.641 is not legible. With 1−α the estimate for Fig. 2 is " +
+                       micro(figure.estimate(7850)) +
+                       ", below the exact time, as the text says; with 1.641 taken plainly it would be " +
+                       micro(figure.plain_estimate(7850)) + ", above it."}};
 }
 
 class Tcol : public Study {
  public:
   std::string name() const override { return "tcol"; }
-  std::string claim() const override { return "Eq. (57) estimates the collision time of the fractional law, from below"; }
+  std::string claim() const override {
+    return "Eq. (57) estimates the collision time of the fractional law, from below";
+  }
 
   StudyResult run(const RunOptions&) override {
     const Fig2 figure;
@@ -153,11 +153,12 @@ class Tcol : public Study {
                  figure.plain_estimate(density) / figure.exact(density), 1)};
     result.figures = {drawing(result.tables[0])};
     result.figures[0].finding = "The ratio starts at " + console::significant(ratio(0), 4) + ", falls throughout, is " +
-                                console::significant(ratio(0.5), 3) + " at α = 0.5 and " + console::significant(ratio(largest_alpha), 2) +
+                                console::significant(ratio(0.5), 3) + " at α = 0.5 and " +
+                                console::significant(ratio(largest_alpha), 2) +
                                 " at 0.97: (57) is good for weakly dissipative grains and always too short.";
     result.remarks = remarks(figure);
-    result.verdict = "(57) underestimates by " + console::significant(100 * (1 - ratio(0)), 2) + " % at alpha = 0, by " +
-                     console::significant(100 * (1 - ratio(0.5)), 2) + " % at 0.5 and by " +
+    result.verdict = "(57) underestimates by " + console::significant(100 * (1 - ratio(0)), 2) +
+                     " % at alpha = 0, by " + console::significant(100 * (1 - ratio(0.5)), 2) + " % at 0.5 and by " +
                      console::significant(100 * (1 - ratio(largest_alpha)), 2) +
                      " % at 0.97; it is within 1 % up to alpha = " + console::fixed(curve.one_percent, 3) + ".";
     return result;

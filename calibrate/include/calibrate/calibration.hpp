@@ -20,8 +20,8 @@ std::string_view text(LawName law) noexcept;
 /// "overlap" or "force".
 std::string_view text(ContactEnd end) noexcept;
 
-/// Where tcol, velocity, mass_eff and stiffness must lie, in SI units: powers and products of them stay within the range
-/// of a double.
+/// Where tcol, velocity, mass_eff and stiffness must lie, in SI units: powers and products of them stay within the
+/// range of a double.
 inline constexpr double least_scale = 1e-30, greatest_scale = 1e30;
 inline constexpr const char* range_of_scales = "in [1e-30, 1e30]";
 
@@ -48,9 +48,9 @@ struct Settings {
   double tolerance = 1e-10;             ///< relative, in tcol and en; in [1e-11, 0.1]
 };
 
-/// NLopt's local algorithms that reach the tolerance on every law from the blind start. The others do not: L-BFGS, VAR2 and
-/// truncated Newton stop at residuals near 1e-8, MMA, CCSAQ and COBYLA need thousands of collisions at e_n = 0.01, and
-/// NEWUOA refuses one unknown.
+/// NLopt's local algorithms that reach the tolerance on every law from the blind start. The others do not: L-BFGS, VAR2
+/// and truncated Newton stop at residuals near 1e-8, MMA, CCSAQ and COBYLA need thousands of collisions at e_n = 0.01,
+/// and NEWUOA refuses one unknown.
 const std::vector<std::string>& algorithms();
 
 /// One parameter of a law under its published name, in SI units.
@@ -69,14 +69,14 @@ std::vector<Parameter> identifiable(const AnyLaw& law);
 struct Calibration {
   AnyLaw law;
   ContactEnd end;
-  Collision achieved;                  ///< of `law`, by the numerical path; see `remarks`
-  double tcol_residual, en_residual;   ///< (achieved − target)/target
-  std::optional<double> tcol_estimate; ///< fractional, ended by force: Eq. (57) [s]
-  Method method;                       ///< that found `law`: direct, too, where nlopt missed the tolerance
-  std::string algorithm;               ///< NLopt's, or "bracketed root" or "closed form" of the direct reduction
-  std::size_t evaluations;             ///< collisions that `method` tried
-  Method cross_method;                 ///< the other one
-  double cross_difference;             ///< greatest relative difference of an identifiable parameter between the two
+  Collision achieved;                   ///< of `law`, by the numerical path; see `remarks`
+  double tcol_residual, en_residual;    ///< (achieved − target)/target
+  std::optional<double> tcol_estimate;  ///< fractional, ended by force: Eq. (57) [s]
+  Method method;                        ///< that found `law`: direct, too, where nlopt missed the tolerance
+  std::string algorithm;                ///< NLopt's, or "bracketed root" or "closed form" of the direct reduction
+  std::size_t evaluations;              ///< collisions that `method` tried
+  Method cross_method;                  ///< the other one
+  double cross_difference;              ///< greatest relative difference of an identifiable parameter between the two
   /// What is not as usual: that the search missed the tolerance, how far the numerical path can confirm.
   std::vector<std::string> remarks = {};
 };
@@ -101,17 +101,18 @@ class NotConverged : public std::runtime_error {
 
 /// Finds the law whose collision takes target.tcol and keeps target.en of the velocity.
 ///
-/// Both methods work in the units of the target (m, tcol, v₀), where every law has one dimensionless group that sets e_n
-/// and one scale that sets t_col. `direct` solves for the group by a closed form or a bracketed root and reads the
+/// Both methods work in the units of the target (m, tcol, v₀), where every law has one dimensionless group that sets
+/// e_n and one scale that sets t_col. `direct` solves for the group by a closed form or a bracketed root and reads the
 /// scale off one collision. `nlopt` minimises ln²(t/t_col) + ln²(ln e/ln e_n) over the logarithms of the parameters,
 /// starting from parameters that are 1 in those units. The chosen one is answered, the other cross-checks it, and the
-/// answer is run through the numerical collision. Where nlopt was chosen and missed the tolerance, the answer is direct's.
+/// answer is run through the numerical collision. Where nlopt was chosen and missed the tolerance, the answer is
+/// direct's.
 ///
-/// In exact arithmetic every e_n in (0, 1] can be reached. Infeasible are those to which the rounding of the parameters to
-/// doubles leaves a relative error above the tolerance (1e-16 L³, L = |ln e_n|, for linear by overlap, 1e-15 L³ for tsuji,
-/// 1e-15/e_n² for fractional by overlap, 2e-16/(1 − α) for fractional by force), and those with a parameter that is no
-/// normal double. What the check cannot confirm to the tolerance, because its own error bound (see `collide`) is larger,
-/// is answered with a remark.
+/// In exact arithmetic every e_n in (0, 1] can be reached. Infeasible are those to which the rounding of the parameters
+/// to doubles leaves a relative error above the tolerance (1e-16 L³, L = |ln e_n|, for linear by overlap, 1e-15 L³ for
+/// tsuji, 1e-15/e_n² for fractional by overlap, 2e-16/(1 − α) for fractional by force), and those with a parameter that
+/// is no normal double. What the check cannot confirm to the tolerance, because its own error bound (see `collide`) is
+/// larger, is answered with a remark.
 ///
 /// Throws std::invalid_argument for a target, stiffness, algorithm or tolerance outside its domain and for an end that
 /// the law does not offer; NotConverged when the check contradicts the answer.

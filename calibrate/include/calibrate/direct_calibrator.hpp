@@ -7,8 +7,9 @@
 
 namespace ricochet::calibration {
 
-/// The direct method for many targets. In the units of the target each law's parameters are functions of e_n alone; here
-/// they are closed forms or piecewise polynomials in −ln e_n, made from the slow path when a law is first asked for:
+/// The direct method for many targets. In the units of the target each law's parameters are functions of e_n alone;
+/// here they are closed forms or piecewise polynomials in −ln e_n, made from the slow path when a law is first asked
+/// for:
 ///
 ///   linear, overlap    k = (π² + ln²e_n) m/t²,  c = −2 ln e_n m/t                            closed form
 ///   linear, force      k by table, c as above
@@ -18,8 +19,8 @@ namespace ricochet::calibration {
 ///   fractional, force  α and z* = A t^{2−α} by FractionalContactTable, then c from (c/k)^α = z* m/(k t^{2−α})
 ///
 /// Error: 1e-11 relative in every identifiable parameter (so 1e-11/α in the fractional law's c), more where the problem
-/// itself has no more digits: 1e-14/|ln e_n| in c. Proved against `calibrate` in tests/calibrate. What the tables leave out
-/// (e_n < 0.006, the fractional law ended by overlap and, but for 1, above e_n = 0.9999) goes the slow way, by
+/// itself has no more digits: 1e-14/|ln e_n| in c. Proved against `calibrate` in tests/calibrate. What the tables leave
+/// out (e_n < 0.006, the fractional law ended by overlap and, but for 1, above e_n = 0.9999) goes the slow way, by
 /// `unit_law`: as exact, and a thousand times slower (milliseconds).
 ///
 /// Immutable but for the tables, which are made once; may be shared between threads, whose answers are the same bits.

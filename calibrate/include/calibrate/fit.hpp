@@ -8,7 +8,8 @@
 
 namespace ricochet::calibration {
 
-/// One measured impact; numbers in [1e-30, 1e30]. Standard errors 0: not known (then of all, and without collision times).
+/// One measured impact; numbers in [1e-30, 1e30]. Standard errors 0: not known (then of all, and without collision
+/// times).
 struct Measurement {
   double velocity = 0;    ///< [m/s], > 0
   double en = 0;          ///< in (0, 1]
@@ -61,15 +62,15 @@ struct Fit {
 };
 
 /// Fits one law. NLopt (SLSQP, with the Jacobian by central differences) minimises χ² over the logarithms of the
-/// parameters, from the best of a coarse scan, and Gauss-Newton takes the last digits; errors and correlations are those
-/// of (JᵀJ)⁻¹ at the minimum, times χ²/ν where σ is not known. Without collision times no law's stiffness can be
+/// parameters, from the best of a coarse scan, and Gauss-Newton takes the last digits; errors and correlations are
+/// those of (JᵀJ)⁻¹ at the minimum, times χ²/ν where σ is not known. Without collision times no law's stiffness can be
 /// told: the parameters are then the combinations that set e_n, which are named so.
 ///
 /// The forward model's error (e_n and t_col as functions of the parameters) is below 1e-9: polynomials through
 /// numerical collisions for Kuwabara-Kono and Tsuji and through closed forms for the fractional law.
 ///
-/// Throws std::invalid_argument for data outside their domain, no more observations than parameters, an end that the law
-/// does not offer, times without en_sigma; NotConverged, which names them, where the data leave parameters open.
+/// Throws std::invalid_argument for data outside their domain, no more observations than parameters, an end that the
+/// law does not offer, times without en_sigma; NotConverged, which names them, where the data leave parameters open.
 Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data);
 
 /// What the fitted law does at another velocity.

@@ -56,7 +56,9 @@ std::string_view take_line(std::string_view& text) {
 }
 
 LineBlocks::LineBlocks(std::string path, std::size_t block_size)
-    : path_(std::move(path)), block_size_(block_size), file_(path_ == "-" ? ::dup(STDIN_FILENO) : ::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
+    : path_(std::move(path)),
+      block_size_(block_size),
+      file_(path_ == "-" ? ::dup(STDIN_FILENO) : ::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
   if (file_ < 0) throw BadInput(path_ + ": cannot be read: " + reason());
   struct stat about {};
   if (::fstat(file_, &about) == 0 && S_ISDIR(about.st_mode)) {

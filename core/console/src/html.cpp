@@ -56,7 +56,8 @@ std::string head(const Table& table, const std::vector<std::string>& classes) {
   return html + "</tr></thead>\n";
 }
 
-std::string one_row(const Table& table, std::size_t row, const std::vector<std::string>& classes, const TableView& view) {
+std::string one_row(const Table& table, std::size_t row, const std::vector<std::string>& classes,
+                    const TableView& view) {
   std::string html = "<tr>";
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const std::string tag = i == 0 ? "th scope=\"row\"" : "td";
@@ -72,10 +73,10 @@ std::string rows_of(const Table& table, const TableView& view, std::size_t first
                     const std::vector<std::string>& classes) {
   const bool part = first > 0;
   const std::string id = view.id + (part ? "-more" : "");
-  std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-labelledby=\"" + id + "\">\n<table><caption id=\"" +
-                     id + "\">" + escaped(table.caption()) +
-                     (part ? ", rows " + std::to_string(first + 1) + " to " + std::to_string(last) : "") + "</caption>\n" +
-                     head(table, classes) + "<tbody>\n";
+  std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-labelledby=\"" + id +
+                     "\">\n<table><caption id=\"" + id + "\">" + escaped(table.caption()) +
+                     (part ? ", rows " + std::to_string(first + 1) + " to " + std::to_string(last) : "") +
+                     "</caption>\n" + head(table, classes) + "<tbody>\n";
   for (std::size_t r = first; r < last; ++r) html += one_row(table, r, classes, view);
   return html + "</tbody></table></div>\n";
 }
@@ -123,7 +124,8 @@ std::string html_table(const Table& table, const TableView& view) {
     html += "<details><summary>" + std::to_string(all - first) + " more rows</summary>\n" +
             rows_of(table, view, first, all, classes) + "</details>\n";
   if (all < table.rows().size())
-    html += "<p class=\"under\">" + std::to_string(table.rows().size() - all) + " further rows are in the CSV file.</p>\n";
+    html +=
+        "<p class=\"under\">" + std::to_string(table.rows().size() - all) + " further rows are in the CSV file.</p>\n";
   for (const std::string& note : table.notes()) html += "<p class=\"under\">" + escaped(note) + "</p>\n";
   if (!view.links.empty()) html += "<p class=\"under\">" + linked(view.links) + "</p>\n";
   return html;
@@ -131,25 +133,29 @@ std::string html_table(const Table& table, const TableView& view) {
 
 std::string html_figure(const Figure& figure, const std::string& svg, const std::vector<HtmlLink>& links) {
   const std::string finding = figure.finding.empty() ? figure.caption : figure.finding;
-  return "<figure><div class=\"picture\" tabindex=\"0\" role=\"group\" aria-label=\"" + escaped("Picture " + figure.name) +
-         "\"><img src=\"" + as_address(svg) + "\" width=\"" + std::to_string(figure.width) + "\" height=\"" +
-         std::to_string(figure.height) + "\" alt=\"" + escaped(finding) + "\"></div>\n<figcaption>" + escaped(figure.caption) +
+  return "<figure><div class=\"picture\" tabindex=\"0\" role=\"group\" aria-label=\"" +
+         escaped("Picture " + figure.name) + "\"><img src=\"" + as_address(svg) + "\" width=\"" +
+         std::to_string(figure.width) + "\" height=\"" + std::to_string(figure.height) + "\" alt=\"" +
+         escaped(finding) + "\"></div>\n<figcaption>" + escaped(figure.caption) +
          (figure.finding.empty() ? "" : " " + escaped(figure.finding)) +
          (links.empty() ? "" : "<br><span class=\"soft\">" + linked(links) + "</span>") + "</figcaption></figure>\n";
 }
 
 std::string html_code(std::string_view id, std::string_view label, std::string_view text) {
   const std::string name(id), said = escaped(label);
-  return "<div class=\"code\"><div class=\"bar\"><span>" + said + "</span><span><span class=\"soft\" role=\"status\"></span> <button type=\"button\" hidden data-copy=\"" + name +
-         "\" aria-label=\"Copy " + said + "\">Copy</button></span></div><pre tabindex=\"0\" role=\"region\" aria-label=\"" +
-         said + "\"><code id=\"" + name + "\">" + escaped(text) + "</code></pre></div>\n";
+  return "<div class=\"code\"><div class=\"bar\"><span>" + said +
+         "</span><span><span class=\"soft\" role=\"status\"></span> <button type=\"button\" hidden data-copy=\"" +
+         name + "\" aria-label=\"Copy " + said +
+         "\">Copy</button></span></div><pre tabindex=\"0\" role=\"region\" aria-label=\"" + said + "\"><code id=\"" +
+         name + "\">" + escaped(text) + "</code></pre></div>\n";
 }
 
 std::string html_page(std::string_view title, std::string_view body) {
   return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<meta name=\"generator\" content=\"Ricochet\">\n<link rel=\"icon\" href=\"data:,\">\n<title>" +
-         escaped(title) + "</title>\n<style>" + page_style + "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n" +
+         escaped(title) + "</title>\n<style>" + page_style +
+         "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n" +
          std::string(body) + "<script>" + page_script + "</script>\n</body>\n</html>\n";
 }
 

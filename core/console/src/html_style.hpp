@@ -2,7 +2,8 @@
 
 namespace ricochet::console {
 
-/// The one style sheet of all pages. Sizes follow the reader's font size; wide screens get larger type, not longer lines.
+/// The one style sheet of all pages. Sizes follow the reader's font size; wide screens get larger type, not longer
+/// lines.
 inline constexpr const char* page_style = R"css(
 :root{color-scheme:light dark;--ground:#fbfaf8;--sheet:#fff;--ink:#1d2026;--soft:#555b66;--line:#d9d7d1;--link:#0a569b;
 --pass:#17633a;--fail:#a3161b;--mark:#f3f1ec}
@@ -10,7 +11,8 @@ inline constexpr const char* page_style = R"css(
 --link:#8fc7f7;--pass:#83d7a6;--fail:#ff9b93;--mark:#23272f}}
 *{box-sizing:border-box}
 html{font-size:clamp(16px,.55vw + 10px,28px);scroll-behavior:auto;-webkit-text-size-adjust:100%}
-body{margin:0;background:var(--ground);color:var(--ink);font:1rem/1.55 system-ui,"DejaVu Sans",sans-serif;overflow-wrap:anywhere}
+body{margin:0;background:var(--ground);color:var(--ink);font:1rem/1.55 system-ui,"DejaVu Sans",sans-serif;
+  overflow-wrap:anywhere}
 h1,h2,h3{font-family:"Iowan Old Style","Palatino Linotype",Palatino,"Book Antiqua",Georgia,"DejaVu Serif",serif;
 font-weight:600;line-height:1.2;text-wrap:balance}
 h1{font-size:clamp(1.7rem,4vw,2.4rem);margin:0 0 .5rem}
@@ -22,7 +24,8 @@ footer{padding-top:2rem;padding-bottom:3rem;color:var(--soft);font-size:.9rem}
 p,li,dd{max-width:46rem}
 p{margin:.6rem 0}
 a{color:var(--link);text-underline-offset:.15em}
-a:focus-visible,button:focus-visible,summary:focus-visible,[tabindex]:focus-visible{outline:3px solid var(--link);outline-offset:2px}
+a:focus-visible,button:focus-visible,summary:focus-visible,[tabindex]:focus-visible{outline:3px solid var(--link);
+  outline-offset:2px}
 .skip{position:absolute;left:-100vw}
 .skip:focus{left:1rem;top:.5rem;background:var(--sheet);padding:.4rem .8rem;z-index:1}
 .lead{font-size:1.2rem}
@@ -36,8 +39,10 @@ a:focus-visible,button:focus-visible,summary:focus-visible,[tabindex]:focus-visi
 .pass::before{content:"\2713\00a0"}.fail::before{content:"\2717\00a0"}
 nav ul{list-style:none;margin:.8rem 0;padding:0;display:flex;flex-wrap:wrap;gap:.25rem 1.2rem}
 nav a{display:inline-block;padding:.2rem 0}
-.scroll{overflow-x:auto;max-width:100%;margin:1rem 0 .4rem;background:var(--sheet);border:1px solid var(--line);border-radius:.3rem}
-table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums;line-height:1.35;min-width:min(100%,24rem)}
+.scroll{overflow-x:auto;max-width:100%;margin:1rem 0 .4rem;background:var(--sheet);border:1px solid var(--line);
+  border-radius:.3rem}
+table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums;line-height:1.35;
+  min-width:min(100%,24rem)}
 caption{text-align:left;font-weight:600;padding:.7rem .8rem .5rem;position:sticky;left:0;max-width:calc(100vw - 2.5rem)}
 th,td{padding:.32rem .8rem;text-align:left;vertical-align:top;border-top:1px solid var(--line);overflow-wrap:normal}
 td.wide,th.wide{min-width:16rem;max-width:34rem;white-space:normal}
@@ -55,13 +60,16 @@ figure img{display:block;width:100%;min-width:36rem;height:auto}
 .picture{overflow-x:auto;background:var(--sheet);border:1px solid var(--line);border-radius:.3rem;padding:.5rem}
 figcaption{font-size:.93rem;margin-top:.5rem;max-width:46rem}
 .code{position:relative;margin:.6rem 0 1.2rem}
-pre{margin:0;padding:.9rem 1rem;overflow:auto;max-height:32rem;background:var(--sheet);border:1px solid var(--line);border-radius:.3rem;
+pre{margin:0;padding:.9rem 1rem;overflow:auto;max-height:32rem;background:var(--sheet);border:1px solid var(--line);
+  border-radius:.3rem;
 font:.85rem/1.45 ui-monospace,"DejaVu Sans Mono",monospace;overflow-wrap:normal}
 .code .bar{display:flex;justify-content:space-between;align-items:center;gap:1rem;margin-bottom:.3rem}
-button{font:inherit;font-size:.88rem;padding:.25rem .9rem;color:var(--ink);background:var(--mark);border:1px solid var(--soft);
+button{font:inherit;font-size:.88rem;padding:.25rem .9rem;color:var(--ink);background:var(--mark);
+  border:1px solid var(--soft);
 border-radius:.3rem;cursor:pointer;white-space:nowrap}
 @media (max-width:30rem){.facts{grid-template-columns:1fr}.facts dt{margin-top:.4rem}}
-@media print{:root{color-scheme:light;--ground:#fff;--sheet:#fff;--ink:#000;--soft:#444;--line:#bbb;--link:#000;--pass:#000;--fail:#000;--mark:#eee}
+@media print{:root{color-scheme:light;--ground:#fff;--sheet:#fff;--ink:#000;--soft:#444;--line:#bbb;--link:#000;
+  --pass:#000;--fail:#000;--mark:#eee}
 html{font-size:10pt}.skip,button,nav{display:none}figure,tr{break-inside:avoid}h2,h3,caption{break-after:avoid}
 .scroll,.picture,pre{overflow:visible;max-height:none}pre{white-space:pre-wrap}figure img{min-width:0}}
 )css";

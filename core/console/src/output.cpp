@@ -134,7 +134,8 @@ void OutputFolder::commit() {
   const SignalsHeld held;
   for (const std::string& name : names_) {
     const std::string shown = path_ + "/" + name;
-    if (::rename((staging_->path() + "/" + name).c_str(), resolved(shown).c_str()) != 0) throw CannotWrite(shown, errno);
+    if (::rename((staging_->path() + "/" + name).c_str(), resolved(shown).c_str()) != 0)
+      throw CannotWrite(shown, errno);
   }
   names_.clear();
   sync_folder(path_);

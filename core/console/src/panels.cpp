@@ -26,13 +26,15 @@ std::string csv_of(const std::vector<Motion>& motions) {
   for (const Motion& motion : motions) {
     if (&motion != &motions.front()) csv += "\n\n";
     for (const Moment& m : motion.moments)
-      csv += '"' + motion.title + "\"," + shortest(m.time) + "," + shortest(m.overlap) + "," + shortest(m.velocity) + "," +
-             shortest(m.force) + "\n";
+      csv += '"' + motion.title + "\"," + shortest(m.time) + "," + shortest(m.overlap) + "," + shortest(m.velocity) +
+             "," + shortest(m.force) + "\n";
   }
   return csv;
 }
 
-std::string style_of(std::size_t i) { return "with lines lt " + std::to_string(i % 7 + 1) + " lw 2.2 dt " + std::to_string(i < 7 ? 1 : 2); }
+std::string style_of(std::size_t i) {
+  return "with lines lt " + std::to_string(i % 7 + 1) + " lw 2.2 dt " + std::to_string(i < 7 ? 1 : 2);
+}
 
 }  // namespace
 
@@ -44,7 +46,8 @@ Figure collision_panels(const std::string& name, const std::string& caption, con
       greatest.overlap = std::max(greatest.overlap, m.overlap);
       greatest.force = std::max(greatest.force, m.force);
     }
-  const Prefix time = prefix_for(greatest.time), overlap = prefix_for(greatest.overlap), force = prefix_for(greatest.force);
+  const Prefix time = prefix_for(greatest.time), overlap = prefix_for(greatest.overlap),
+               force = prefix_for(greatest.force);
   struct Panel {
     int column;
     std::string factor, label;
@@ -53,21 +56,32 @@ Figure collision_panels(const std::string& name, const std::string& caption, con
                           {4, "1", "velocity [m/s]"},
                           {5, force.factor, "force [" + force.letter + "N]"}};
   const std::string file = name + ".csv";
-  std::string script = "set multiplot layout 2,2 margins 0.09,0.97,0.10,0.97 spacing 0.11,0.13\nunset key\nset offsets graph 0,0.02,0.03,0\n"
-                       "set xlabel 'time since the first touch [" + time.letter + "s]' offset 0,0.3\nset xzeroaxis lt 1 lc rgb 'black' lw 0.7\n";
+  std::string script =
+      "set multiplot layout 2,2 margins 0.09,0.97,0.10,0.97 spacing 0.11,0.13\nunset key\nset offsets graph "
+      "0,0.02,0.03,0\n"
+      "set xlabel 'time since the first touch [" +
+      time.letter + "s]' offset 0,0.3\nset xzeroaxis lt 1 lc rgb 'black' lw 0.7\n";
   for (const Panel& panel : panels) {
     script += "set ylabel '" + panel.label + "' offset 1,0\nplot ";
     for (std::size_t i = 0; i < motions.size(); ++i)
-      script += (i ? ", \\\n  '" : "'") + file + "' " + (i ? "" : "skip 1 ") + "index " + std::to_string(i) + " using ($2*" + time.factor +
-                "):($" + std::to_string(panel.column) + "*" + panel.factor + ") " + style_of(i) + " notitle";
+      script += (i ? ", \\\n  '" : "'") + file + "' " + (i ? "" : "skip 1 ") + "index " + std::to_string(i) +
+                " using ($2*" + time.factor + "):($" + std::to_string(panel.column) + "*" + panel.factor + ") " +
+                style_of(i) + " notitle";
     script += "\n";
   }
-  script += "unset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\nunset xzeroaxis\nset key at graph 0.06,0.94 left top font ',15' spacing 1.5 samplen 3\n"
-            "set xrange [0:1]\nset yrange [0:1]\nplot ";
+  script +=
+      "unset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\nunset xzeroaxis\nset key at graph 0.06,0.94 "
+      "left top font ',15' spacing 1.5 samplen 3\n"
+      "set xrange [0:1]\nset yrange [0:1]\nplot ";
   for (std::size_t i = 0; i < motions.size(); ++i)
     script += (i ? ", \\\n  NaN " : "NaN ") + style_of(i) + " title '" + motions[i].title + "'";
   script += "\nunset multiplot\n";
-  return {.name = name, .caption = caption, .script = script, .data = {{file, csv_of(motions)}}, .width = 960, .height = 680};
+  return {.name = name,
+          .caption = caption,
+          .script = script,
+          .data = {{file, csv_of(motions)}},
+          .width = 960,
+          .height = 680};
 }
 
 }  // namespace ricochet::console

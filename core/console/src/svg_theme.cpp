@@ -26,8 +26,8 @@ std::string rule(const std::string& written, const std::string& dark) {
 }
 
 std::string dark_rules() {
-  std::string css = rule("black", "#e4e6ea") + rule("gray", "#a9b0bc") + rule("#ffffff", "#1b1e24") + rule("#FFFFFF", "#1b1e24") +
-                    ".gridline{stroke:#363b45}feFlood{flood-color:#1b1e24}";
+  std::string css = rule("black", "#e4e6ea") + rule("gray", "#a9b0bc") + rule("#ffffff", "#1b1e24") +
+                    rule("#FFFFFF", "#1b1e24") + ".gridline{stroke:#363b45}feFlood{flood-color:#1b1e24}";
   for (const Pair& pair : pairs) {
     char written[24];
     std::snprintf(written, sizeof written, "rgb(%3d, %3d, %3d)", pair.red, pair.green, pair.blue);
@@ -50,7 +50,8 @@ void replace_between(std::string& text, const std::string& open, const std::stri
 std::string themed(std::string svg, const std::string& title, const std::string& description) {
   replace_between(svg, "<title>", "</title>", escaped(title));
   replace_between(svg, "<desc>", "</desc>", escaped(description));
-  const std::string style = "<style>:root{color-scheme:light dark}@media screen and (prefers-color-scheme:dark){" + dark_rules() + "}</style>\n";
+  const std::string style = "<style>:root{color-scheme:light dark}@media screen and (prefers-color-scheme:dark){" +
+                            dark_rules() + "}</style>\n";
   if (const auto at = svg.find("<title>"); at != std::string::npos) svg.insert(at, style);
   return svg;
 }

@@ -154,7 +154,8 @@ std::string Table::markdown() const {
   out += "|";
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
-    out += " " + escaped_for_markdown(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]") + " |";
+    out +=
+        " " + escaped_for_markdown(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]") + " |";
     rule += is_right(column, rows_, i) ? " ---: |" : " --- |";
   }
   out += "\n" + rule + "\n";

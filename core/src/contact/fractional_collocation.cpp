@@ -22,8 +22,8 @@ std::optional<double> first_zero(const F& f, double from, double to) {
     if (f_right == 0) return right;
     if ((f_left < 0) != (f_right < 0)) {
       std::uintmax_t evaluations = 100;
-      const auto [low, high] =
-          boost::math::tools::toms748_solve(f, left, right, f_left, f_right, boost::math::tools::eps_tolerance<double>(52), evaluations);
+      const auto [low, high] = boost::math::tools::toms748_solve(
+          f, left, right, f_left, f_right, boost::math::tools::eps_tolerance<double>(52), evaluations);
       return 0.5 * (low + high);
     }
     left = right;
@@ -54,7 +54,8 @@ std::optional<Events> events(const FractionalMotion& motion, ContactEnd end) {
   }
   // The overlap falls from its maximum to its first minimum, the next zero of the rate. Bracketing by the two finds the
   // zero also for α just below 0.4009, where two zeros of the overlap are about to merge.
-  const double minimum = first_zero(motion.rate, std::nextafter(*turn, horizon) + 1e-6 * horizon, horizon).value_or(horizon);
+  const double minimum =
+      first_zero(motion.rate, std::nextafter(*turn, horizon) + 1e-6 * horizon, horizon).value_or(horizon);
   const std::optional<double> zero = first_zero(motion.overlap, *turn, minimum);
   return zero ? std::optional(Events{*zero, *turn}) : std::nullopt;
 }
@@ -62,7 +63,8 @@ std::optional<Events> events(const FractionalMotion& motion, ContactEnd end) {
 double strongest(const FractionalMotion& motion, double alpha, double end) {
   const ChebyshevSeries slope = motion.force.derivative();
   // d/dt of t^{1−α} force(y) is t^{−α} times this
-  return first_zero([&](double y) { return (1 - alpha) * motion.force(y) + (2 - alpha) * y * slope(y); }, 0, end).value_or(end);
+  return first_zero([&](double y) { return (1 - alpha) * motion.force(y) + (2 - alpha) * y * slope(y); }, 0, end)
+      .value_or(end);
 }
 
 FractionalSolution summary(const FractionalMotion& motion, double alpha, Events at) {

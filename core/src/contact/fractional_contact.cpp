@@ -21,8 +21,8 @@ double root(const F& f, double low, double high) {
   if (f_low == 0) return low;
   if (f_high == 0) return high;
   std::uintmax_t evaluations = 200;
-  const auto [left, right] = boost::math::tools::toms748_solve(f, low, high, f_low, f_high,
-                                                               boost::math::tools::eps_tolerance<double>(52), evaluations);
+  const auto [left, right] = boost::math::tools::toms748_solve(
+      f, low, high, f_low, f_high, boost::math::tools::eps_tolerance<double>(52), evaluations);
   return 0.5 * (left + right);
 }
 
@@ -36,8 +36,8 @@ double zero_after(double from, double a, double b) {
 /// z of the end by force: never below 4.4 (at α ≈ 0.77), and growing as −ln(1−α) towards α = 1.
 double end_by_force(double a) { return zero_after(4, a, a); }
 
-/// z of the end by overlap, the first zero of E_{a,2}(−z). It lies between the greatest overlap and the first minimum of
-/// the overlap, the two first zeros of the rate, which bracket it also where it is about to become a double zero.
+/// z of the end by overlap, the first zero of E_{a,2}(−z). It lies between the greatest overlap and the first minimum
+/// of the overlap, the two first zeros of the rate, which bracket it also where it is about to become a double zero.
 double end_by_overlap(double a, double z_max_overlap) {
   double z = z_max_overlap + 1;
   while (e(a, 1, z + 0.5) < 0) z += 0.5;
@@ -112,9 +112,13 @@ double checked_degree(double alpha) {
 }  // namespace
 
 FractionalTrajectory::FractionalTrajectory(double coefficient, double alpha, double mass_eff, double velocity)
-    : alpha_(checked_degree(alpha)), mass_eff_(mass_eff), velocity_(velocity),
+    : alpha_(checked_degree(alpha)),
+      mass_eff_(mass_eff),
+      velocity_(velocity),
       time_scale_(std::pow(mass_eff / coefficient, 1 / (2 - alpha))),
-      overlap_(2 - alpha, 2), rate_(2 - alpha, 1), force_(2 - alpha, 2 - alpha) {
+      overlap_(2 - alpha, 2),
+      rate_(2 - alpha, 1),
+      force_(2 - alpha, 2 - alpha) {
   detail::require_positive("coefficient", coefficient);
   detail::require_positive("mass_eff", mass_eff);
   detail::require_positive("velocity", velocity);

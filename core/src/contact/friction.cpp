@@ -37,7 +37,8 @@ constexpr double far = 1e12;
 std::optional<Speeds> resisted(Speeds start, double alpha, double beta) noexcept {
   const double X = start.x, Y = start.y;
   if (X * beta + 1.5 * Y * alpha <= alpha * beta) return std::nullopt;  // the chord under the limit curve
-  if (Y * far <= X) return X > alpha ? std::optional(Speeds{X - alpha, Y / (1 + beta / (4 * (X - alpha)))}) : std::nullopt;
+  if (Y * far <= X)
+    return X > alpha ? std::optional(Speeds{X - alpha, Y / (1 + beta / (4 * (X - alpha)))}) : std::nullopt;
   if (X * far <= Y) {
     const double y = Y - 2.0 / 3 * beta;
     return y > 0 ? std::optional(Speeds{X / (1 + alpha / y), y}) : std::nullopt;
@@ -94,7 +95,8 @@ Slide slide(const Friction& friction, const FrictionProblem& p, const SlipMotion
   const double a = p.contact_radius, N = p.normal_impulse;
   const Vec3 to_stop = free.slip + p.turning;
   const double hold = friction.mu_static() * N;
-  if (admits_stick(norm(to_stop) / (p.mobility.slip * hold), a > 0 ? std::abs(free.spin) / (p.mobility.roll * hold * a) : 0))
+  if (admits_stick(norm(to_stop) / (p.mobility.slip * hold),
+                   a > 0 ? std::abs(free.spin) / (p.mobility.roll * hold * a) : 0))
     return {-to_stop / p.mobility.slip, a > 0 ? -free.spin / p.mobility.roll : 0, true};
 
   const Vec3 middle = 0.5 * (p.before.slip + free.slip);
@@ -149,8 +151,10 @@ FrictionSolution friction_impulse(const Friction& friction, const FrictionProble
   const Vec3 to_stop = p.free.slip + p.turning;
   const double determinant = m.slip * m.roll - m.cross * m.cross;
   const Vec3 held_roll = (m.cross * to_stop - m.slip * p.free.roll) / determinant;
-  if (roll_limit > 0 && norm(held_roll) <= roll_limit) s.impulse.rolling = held_roll;
-  else s.impulse.rolling = guess.rolling;
+  if (roll_limit > 0 && norm(held_roll) <= roll_limit)
+    s.impulse.rolling = held_roll;
+  else
+    s.impulse.rolling = guess.rolling;
 
   const bool constant_mu = friction.decay() == 0 || friction.mu_dynamic() == friction.mu_static();
   SlipMotion free = p.free;

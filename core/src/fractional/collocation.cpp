@@ -56,8 +56,8 @@ struct FractionalRule {
     std::vector<double> moment(static_cast<std::size_t>(n), 1.0);
     for (std::size_t i = 0; i < fine.sigma.size(); ++i) {
       const double w_to_one = -std::expm1(a * std::log1p(-fine.to_one[i]));
-      const double half_angle = fine.to_one[i] < 0.5 ? std::asin(std::sqrt(w_to_one))
-                                                     : std::acos(std::sqrt(std::pow(fine.sigma[i], a)));
+      const double half_angle =
+          fine.to_one[i] < 0.5 ? std::asin(std::sqrt(w_to_one)) : std::acos(std::sqrt(std::pow(fine.sigma[i], a)));
       const double kernel = fine.weight[i] * beta * std::pow(fine.to_one[i], beta - 1);
       for (int k = 1; k < n; ++k) moment[static_cast<std::size_t>(k)] += kernel * chebyshev_deficit(k, half_angle);
     }
@@ -122,7 +122,8 @@ ChebyshevSeries::ChebyshevSeries(std::vector<double> coefficients, double end)
 double ChebyshevSeries::operator()(double y) const {
   const double x = 2 * y / end_ - 1;  // Clenshaw
   double current = 0, last = 0;
-  for (std::size_t k = coefficients_.size(); k-- > 1;) last = std::exchange(current, 2 * x * current - last + coefficients_[k]);
+  for (std::size_t k = coefficients_.size(); k-- > 1;)
+    last = std::exchange(current, 2 * x * current - last + coefficients_[k]);
   return x * current - last + coefficients_[0];
 }
 

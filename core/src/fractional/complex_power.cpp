@@ -43,8 +43,8 @@ struct Turn {
   double cosine, sine;
 };
 
-/// cos z and sin z for |z| ≤ 1e4, to an absolute error of 2e-16: z = n π/2 + r, |r| ≤ π/4, where the Taylor polynomials of
-/// degree 16 and 17 err by 2e-18 and 1e-19.
+/// cos z and sin z for |z| ≤ 1e4, to an absolute error of 2e-16: z = n π/2 + r, |r| ≤ π/4, where the Taylor polynomials
+/// of degree 16 and 17 err by 2e-18 and 1e-19.
 [[gnu::always_inline]] inline Turn turn_by(double z) noexcept {
   // π/2 in three parts, the first two of 33 bits, so that their products with n are exact.
   constexpr double per_quarter = 0.6366197723675814, high = 0x1.921fb544p+0, middle = 0x1.0b4611a6p-34,
@@ -71,7 +71,8 @@ struct Turn {
   // An odd number of quarters exchanges the two; the signs are (n + 1) div 2 and n div 2 halves of a turn.
   const std::uint64_t quarters = bits(shifted), odd = 0 - (quarters & 1);
   const std::uint64_t cosine = (bits(s) & odd) | (bits(c) & ~odd), sine = (bits(c) & odd) | (bits(s) & ~odd);
-  return {std::bit_cast<double>(cosine ^ ((quarters + 1) >> 1 << 63)), std::bit_cast<double>(sine ^ (quarters >> 1 << 63))};
+  return {std::bit_cast<double>(cosine ^ ((quarters + 1) >> 1 << 63)),
+          std::bit_cast<double>(sine ^ (quarters >> 1 << 63))};
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ HankelContour::HankelContour(double beta) {
       const double mirrored = u == 0 ? 1 : 2;
       const Complex s = mu_ * Complex(1 - std::sin(angle) * std::cosh(u), std::cos(angle) * std::sinh(u));
       const Complex slope = mu_ * Complex(std::cos(angle) * std::cosh(u), std::sin(angle) * std::sinh(u));
-      const Complex weight = mirrored * step_ / (2 * pi) * slope * std::exp(s), over_s = weight / s, log_s = std::log(s);
+      const Complex weight = mirrored * step_ / (2 * pi) * slope * std::exp(s), over_s = weight / s,
+                    log_s = std::log(s);
       ContourNodes& n = nodes_[g];
       n.s_re[k] = s.real(), n.s_im[k] = s.imag();
       n.log_size[k] = log_s.real(), n.argument[k] = log_s.imag();

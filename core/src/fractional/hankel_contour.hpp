@@ -14,12 +14,12 @@ using Complex = std::complex<double>;
 struct ContourNodes {
   static constexpr std::size_t capacity = 48;
   using Row = std::array<double, capacity>;
-  Row s_re, s_im, log_size, argument;      ///< s, log |s|, arg s
+  Row s_re, s_im, log_size, argument;              ///< s, log |s|, arg s
   Row weight_re, weight_im, over_s_re, over_s_im;  ///< weight, weight/s
 };
 
-/// The hyperbola s(u) = μ(1 + sin(iu − φ)), −∞ < u < ∞, around the negative axis, with the trapezoidal rule of step h in
-/// u. (Weideman and Trefethen, Math. Comp. 76, 1341 (2007), for the contour; μ is kept small here, so that e^s never
+/// The hyperbola s(u) = μ(1 + sin(iu − φ)), −∞ < u < ∞, around the negative axis, with the trapezoidal rule of step h
+/// in u. (Weideman and Trefethen, Math. Comp. 76, 1341 (2007), for the contour; μ is kept small here, so that e^s never
 /// exceeds e^1.3 on it and rounding is not amplified.) Two interlaced grids are offered, so that one of them is at
 /// least h/4 away from any point.
 class HankelContour {
@@ -51,7 +51,8 @@ class HankelContour {
   std::array<ContourNodes, 2> nodes_{};
 };
 
-/// The contour for E_{a,b}: one shared by all b up to some limit, laid out once a process, or past b = 173 one put into `own`.
+/// The contour for E_{a,b}: one shared by all b up to some limit, laid out once a process, or past b = 173 one put into
+/// `own`.
 const HankelContour& contour_for(double b, std::unique_ptr<HankelContour>& own);
 
 /// e^z − 1 without cancellation for small z.

@@ -320,7 +320,8 @@ class Growth {
 
 KernelFit fit_kernel(Real alpha, Real ratio, Real tolerance, std::size_t max_arms) {
   Growth sum(alpha, tolerance);
-  while (sum.ratio() < ratio && sum.widen(std::min(ratio, 1.5L * sum.ratio()))) {}
+  while (sum.ratio() < ratio && sum.widen(std::min(ratio, 1.5L * sum.ratio()))) {
+  }
   for (Real before = 0;;) {
     if (sum.highest() > tolerance && sum.lowest() < tolerance) sum.level_waves(1.001L, 8);
     if (sum.highest() <= tolerance || sum.arms() == max_arms) return sum.fit();

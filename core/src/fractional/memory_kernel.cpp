@@ -60,8 +60,8 @@ MemoryKernel memory_kernel(double alpha, double shortest, double longest, double
   const Real gamma = std::tgamma(1 - static_cast<Real>(alpha)), unit = std::pow(static_cast<Real>(shortest), -alpha);
   kernel.spring_ = static_cast<double>(fit.spring() * unit / gamma);
   for (std::size_t j = 0; j < fit.arms(); ++j)
-    kernel.arms_.push_back({static_cast<double>(fit.strength(j) * unit / gamma),
-                            static_cast<double>(fit.rate(j) / shortest)});
+    kernel.arms_.push_back(
+        {static_cast<double>(fit.strength(j) * unit / gamma), static_cast<double>(fit.rate(j) / shortest)});
   // Of order α; where α is below 1e-12, what Newton leaves over may exceed it.
   const Real dashpot = std::max<Real>(0, 1 / (1 - static_cast<Real>(alpha)) - fit.impulse());
   kernel.dashpot_ = static_cast<double>(dashpot * unit * shortest / gamma);

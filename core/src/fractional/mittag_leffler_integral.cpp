@@ -59,7 +59,8 @@ void Nodes::fill_near_zero(const ContourNodes& nodes, double a, double b) {
 void Nodes::multiply_by_power(const ContourNodes& nodes, double exponent) {
   const int parts = 1 + static_cast<int>(std::abs(exponent) / 40);
   Row power_re, power_im;
-  complex_powers(size_, nodes.log_size.data(), nodes.argument.data(), exponent / parts, power_re.data(), power_im.data());
+  complex_powers(size_, nodes.log_size.data(), nodes.argument.data(), exponent / parts, power_re.data(),
+                 power_im.data());
   multiply(parts, power_re, power_im);
 }
 
@@ -73,8 +74,8 @@ void Nodes::multiply(int times, const Row& q_re, const Row& q_im) {
     }
 }
 
-// s^{a−b}/(s^a − x) − s^{1−m}/(s − x) = s^{1−m} [s^a (s^δ − 1) − x (s^{δ+a−1} − 1)] / ((s^a − x)(s − x)), δ = m − b, the
-// shifts taken into m and b. For b = m and b = a, δ is a multiple of a − 1 and everything comes from s^{a−1} − 1.
+// s^{a−b}/(s^a − x) − s^{1−m}/(s − x) = s^{1−m} [s^a (s^δ − 1) − x (s^{δ+a−1} − 1)] / ((s^a − x)(s − x)), δ = m − b,
+// the shifts taken into m and b. For b = m and b = a, δ is a multiple of a − 1 and everything comes from s^{a−1} − 1.
 void Nodes::fill_near_one(const ContourNodes& nodes, double a, double b) {
   const bool chained = b == form_.m || (b == a && form_.m == 1);
   const int links = form_.shifts - (b == form_.m ? 0 : 1);

@@ -11,11 +11,12 @@ namespace ricochet::detail {
 
 /// How the integrand of (1/2πi) ∫ e^s s^{a−b}/(s^a − x) ds is written, so that no digit is lost.
 struct Form {
-  int shifts = 0;         ///< how often E_{a,b} = (E_{a,b−a} − 1/Γ(b−a))/x is applied before integrating; −1: backwards
+  int shifts = 0;  ///< how often E_{a,b} = (E_{a,b−a} − 1/Γ(b−a))/x is applied before integrating; −1: backwards
   bool near_one = false;  ///< the integrand of E_{1,m} is subtracted
   int m = 1;              ///< integer near b
-  /// s^a/(s^a − x) is written as (1 − x (s^a − 1)/(s^a − x))/(1 − x), whose first part integrates to a 1/Γ. What is left is
-  /// of order a, as E_{a,a} is, where a sum over the plain integrand, which is of order 1, would leave no digits of it.
+  /// s^a/(s^a − x) is written as (1 − x (s^a − 1)/(s^a − x))/(1 − x), whose first part integrates to a 1/Γ. What is
+  /// left is of order a, as E_{a,a} is, where a sum over the plain integrand, which is of order 1, would leave no
+  /// digits of it.
   bool near_zero = false;
 
   static Form choose(double a, double b, double x);

@@ -11,14 +11,21 @@ namespace ricochet::detail {
 using std::numbers::pi;
 
 PreparedMittagLeffler::PreparedMittagLeffler(double a, double b)
-    : a_(a), b_(b), contour_(contour_for(b, own_)), cosine_(cosine_of_pole(a)), sine_(std::sin(pi / a)),
-      turn_((1 - b) * (pi / a)), inverse_(1 / a), inverse_low_(std::fma(-inverse_, a, 1.0) / a) {
+    : a_(a),
+      b_(b),
+      contour_(contour_for(b, own_)),
+      cosine_(cosine_of_pole(a)),
+      sine_(std::sin(pi / a)),
+      turn_((1 - b) * (pi / a)),
+      inverse_(1 / a),
+      inverse_low_(std::fma(-inverse_, a, 1.0) / a) {
   for (int k = 0; k < 3; ++k) gamma_[static_cast<std::size_t>(k)] = reciprocal_gamma_of_difference(b, k * a);
   for (double x : {-100.0, -10.0, -0.5, 0.5, 5.0}) {  // one in every range that Form::choose tells apart
     const Form form = Form::choose(a, b, x);
     if (std::none_of(forms_.begin(), forms_.end(), [&](const FormNodes& f) { return f.form == form; }))
-      forms_.push_back({form, {Nodes(contour_, HankelContour::on_axis, a, b, form),
-                               Nodes(contour_, HankelContour::off_axis, a, b, form)}});
+      forms_.push_back({form,
+                        {Nodes(contour_, HankelContour::on_axis, a, b, form),
+                         Nodes(contour_, HankelContour::off_axis, a, b, form)}});
   }
   if (a >= 1) prepare_near();
   if (a >= least_pole_order && b <= 4) prepare_far();  // for larger b, |s^{1−b}| at the poles exceeds E
@@ -56,7 +63,8 @@ void PreparedMittagLeffler::prepare_series() {
     if (!split_) return by_contour(x, Poles::Count::rest_less_one) / w;
     const Poles poles(contour_, a_, x);
     const HankelContour::Grid grid = poles.grid(contour_);
-    return nodes(form, grid).integral(x) - gamma_[2] + x * x * poles.residues(contour_, grid, b_, Poles::Count::rest_less_one);
+    return nodes(form, grid).integral(x) - gamma_[2] +
+           x * x * poles.residues(contour_, grid, b_, Poles::Count::rest_less_one);
   };
   series_.emplace(f, 0.0, 1 / far_);
 }

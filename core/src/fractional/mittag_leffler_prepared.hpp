@@ -10,10 +10,10 @@
 
 namespace ricochet::detail {
 
-/// E_{a,b} for many x. For a ≥ 1, near zero (−16 ≤ x) by polynomials of E. Farther out, for a ≥ least_pole_order, by the
-/// pair of poles in closed form plus polynomials of the rest, which does not oscillate: on half octaves of −x, and past
-/// `far`, where the rest is a power series in 1/x to rounding, one polynomial in −1/x. What remains goes by the sum over
-/// the contour with its node values prepared. The polynomials interpolate values of that sum.
+/// E_{a,b} for many x. For a ≥ 1, near zero (−16 ≤ x) by polynomials of E. Farther out, for a ≥ least_pole_order, by
+/// the pair of poles in closed form plus polynomials of the rest, which does not oscillate: on half octaves of −x, and
+/// past `far`, where the rest is a power series in 1/x to rounding, one polynomial in −1/x. What remains goes by the
+/// sum over the contour with its node values prepared. The polynomials interpolate values of that sum.
 class PreparedMittagLeffler {
  public:
   PreparedMittagLeffler(double a, double b);

@@ -8,8 +8,8 @@ namespace ricochet::fractional {
 
 namespace {
 
-/// Over one step of length h with the rate linear: the elongation q → decay·q + gain_before·v_n + gain_after·v_{n+1}, and
-/// its integral, ∫q = held·q + impulse_before·v_n + impulse_after·v_{n+1}.
+/// Over one step of length h with the rate linear: the elongation q → decay·q + gain_before·v_n + gain_after·v_{n+1},
+/// and its integral, ∫q = held·q + impulse_before·v_n + impulse_after·v_{n+1}.
 struct ArmStep {
   double decay, gain_before, gain_after, held, impulse_before, impulse_after;
 };

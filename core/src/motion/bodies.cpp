@@ -20,8 +20,8 @@ double Sphere::inertia() const noexcept { return 0.4 * mass() * radius * radius;
 std::vector<Wall> box_walls(Vec3 low, Vec3 high, std::size_t material) {
   if (!(low.x < high.x && low.y < high.y && low.z < high.z))
     throw std::invalid_argument("box: low must be below high in x, y and z");
-  return {{low, {1, 0, 0}, material},  {high, {-1, 0, 0}, material}, {low, {0, 1, 0}, material},
-          {high, {0, -1, 0}, material}, {low, {0, 0, 1}, material},  {high, {0, 0, -1}, material}};
+  return {{low, {1, 0, 0}, material},   {high, {-1, 0, 0}, material}, {low, {0, 1, 0}, material},
+          {high, {0, -1, 0}, material}, {low, {0, 0, 1}, material},   {high, {0, 0, -1}, material}};
 }
 
 namespace {
@@ -43,8 +43,8 @@ double duration(const Fractional& law, double mass, double) {
   return law.alpha() < 1 ? tcol_estimate(coefficient, law.alpha()) : 2 / coefficient;
 }
 
-// A dashpot eats the velocity within m/c. Past a damping ratio of 5/π that is so fast that ten of it are shorter than the
-// undamped collision; the true one then lasts 4 ln(2β) m/c in the linear law, 5 to 20 of them for β up to 100.
+// A dashpot eats the velocity within m/c. Past a damping ratio of 5/π that is so fast that ten of it are shorter than
+// the undamped collision; the true one then lasts 4 ln(2β) m/c in the linear law, 5 to 20 of them for β up to 100.
 template <class Law>
 double time_to_resolve(const Law& law, double mass, double speed) {
   const double undamped = duration(law, mass, speed), damping = detail::steepest(law, mass, speed).damping;
@@ -63,8 +63,10 @@ double approach_speed(const ClusterSetup& setup) {
   double fastest = 0, second = 0, radius = 0;
   for (const Sphere& s : setup.spheres) {
     const double v = norm(s.velocity);
-    if (v > fastest) second = fastest, fastest = v;
-    else second = std::max(second, v);
+    if (v > fastest)
+      second = fastest, fastest = v;
+    else
+      second = std::max(second, v);
     radius = std::max(radius, s.radius);
   }
   return fastest + second + std::sqrt(4 * norm(setup.gravity) * radius);
@@ -81,8 +83,10 @@ std::map<std::size_t, Lightest> lightest_of(const ClusterSetup& setup) {
   const auto& s = setup.spheres;
   for (std::size_t i = 0; i < s.size(); ++i) {
     Lightest& l = all[s[i].material];
-    if (!l.first || s[i].mass() < s[*l.first].mass()) l.second = l.first, l.first = i;
-    else if (!l.second || s[i].mass() < s[*l.second].mass()) l.second = i;
+    if (!l.first || s[i].mass() < s[*l.first].mass())
+      l.second = l.first, l.first = i;
+    else if (!l.second || s[i].mass() < s[*l.second].mass())
+      l.second = i;
   }
   for (std::size_t w = 0; w < setup.walls.size(); ++w) all[setup.walls[w].material].wall = w;
   return all;
@@ -107,7 +111,8 @@ StiffestContact stiffest_contact(const ClusterSetup& setup) {
       const double mi = s[*first].mass(), mj = s[*other].mass();
       meet(interaction, *first, *other, mi * mj / (mi + mj));
     }
-    for (const auto& [sphere, wall] : {std::pair(a->second.first, b->second.wall), std::pair(b->second.first, a->second.wall)})
+    for (const auto& [sphere, wall] :
+         {std::pair(a->second.first, b->second.wall), std::pair(b->second.first, a->second.wall)})
       if (sphere && wall) meet(interaction, *sphere, s.size() + *wall, s[*sphere].mass());
   }
   return stiffest;

@@ -12,7 +12,8 @@ using std::numbers::pi;
 /// (sinh ψ) keep their ratio through D = 1.
 struct DampingAngle {
   explicit DampingAngle(double ratio)
-      : overdamped(ratio > 1), sine(std::sqrt(std::abs((1 - ratio) * (1 + ratio)))),
+      : overdamped(ratio > 1),
+        sine(std::sqrt(std::abs((1 - ratio) * (1 + ratio)))),
         angle(overdamped ? std::asinh(sine) : std::atan2(sine, ratio)) {}
 
   double angle_over_sine() const { return sine == 0 ? 1 : angle / sine; }
@@ -33,8 +34,8 @@ Collision linear_extremes(double ratio, const DampingAngle& psi) {
   return out;
 }
 
-/// Where a fast-unloading spring that has lost its force at ζ₀ carries on to ζ = 0: it swings about ζ₀ with the amplitude
-/// ζ_max k₁/k₂, which reaches 0 only for k₂ ≤ 2k₁.
+/// Where a fast-unloading spring that has lost its force at ζ₀ carries on to ζ = 0: it swings about ζ₀ with the
+/// amplitude ζ_max k₁/k₂, which reaches 0 only for k₂ ≤ 2k₁.
 void carry_on_to_zero_overlap(Collision& out, double ratio) {
   const double sine = (1 - ratio) / ratio;
   if (sine > 1) {

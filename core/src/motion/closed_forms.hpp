@@ -23,8 +23,8 @@ inline Collision in_units(Collision scaled, const Impact& impact, double unit) {
   scaled.max_overlap *= length;
   scaled.overlap_end *= length;
   scaled.max_force *= force;
-  const bool finite = std::isfinite(scaled.tcol) && std::isfinite(scaled.max_overlap) && std::isfinite(scaled.max_force) &&
-                      (!scaled.separated() || std::isnormal(scaled.en));
+  const bool finite = std::isfinite(scaled.tcol) && std::isfinite(scaled.max_overlap) &&
+                      std::isfinite(scaled.max_force) && (!scaled.separated() || std::isnormal(scaled.en));
   return finite ? scaled : Collision{.status = CollisionStatus::out_of_range};
 }
 

@@ -69,7 +69,10 @@ Cluster::Model Cluster::prepare_model(const Interaction& interaction) {
 }
 
 Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)
-    : options_(options), gravity_(setup.gravity), long_range_(setup.long_range), radii_(radii_of(setup)),
+    : options_(options),
+      gravity_(setup.gravity),
+      long_range_(setup.long_range),
+      radii_(radii_of(setup)),
       neighbours_(radii_, skin_of(setup, options)) {
   detail::require_positive("step", options.step);
   detail::require_not_negative("longest_contact", options.longest_contact);
@@ -153,8 +156,7 @@ Vec3 Cluster::momentum() const noexcept {
 
 Vec3 Cluster::angular_momentum() const noexcept {
   Vec3 sum;
-  for (std::size_t i = 0; i < size(); ++i)
-    sum += masses_[i] * cross(position(i), velocity(i)) + inertias_[i] * spin(i);
+  for (std::size_t i = 0; i < size(); ++i) sum += masses_[i] * cross(position(i), velocity(i)) + inertias_[i] * spin(i);
   return sum;
 }
 

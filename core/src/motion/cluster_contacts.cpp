@@ -53,7 +53,8 @@ void Cluster::find_touching() {
   std::vector<ContactState> born;
   auto known = state_.contacts.begin();
   for (const NearPair& pair : candidates_) {
-    while (known != state_.contacts.end() && std::pair(known->record.i, known->record.j) < std::pair(pair.i, pair.j)) ++known;
+    while (known != state_.contacts.end() && std::pair(known->record.i, known->record.j) < std::pair(pair.i, pair.j))
+      ++known;
     if (known != state_.contacts.end() && known->record.i == pair.i && known->record.j == pair.j) continue;
     if (touches(pair.i, pair.j)) born.push_back(begin_contact(pair.i, pair.j));
   }
@@ -151,12 +152,14 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
   const double h = options_.step;
   const Vec3 v = relative_velocity(i, j);
   const double rate = dot(v, g.normal);
-  double since = j < size() ? time_since_separation(state_.half_positions[j] - state_.half_positions[i], -v, radii_[i] + radii_[j])
-                            : (rate < 0 ? g.overlap / rate : 0.0);
+  double since =
+      j < size() ? time_since_separation(state_.half_positions[j] - state_.half_positions[i], -v, radii_[i] + radii_[j])
+                 : (rate < 0 ? g.overlap / rate : 0.0);
   since = std::min(since, h);
   c.record.separation = time() + 0.5 * h - since;
   if (c.record.end == Encounter::never) {
-    // From the memory's time to the separation the force is taken as linear; where it became attractive, (25) came first.
+    // From the memory's time to the separation the force is taken as linear; where it became attractive, (25) came
+    // first.
     const double span = std::max(0.0, c.lag - since), at_separation = force_at_separation(c, rate, span);
     const bool by_force = models_[c.model].end == ContactEnd::force && c.force > 0 && at_separation < 0;
     c.record.end = c.record.separation - (by_force ? span * at_separation / (at_separation - c.force) : 0.0);

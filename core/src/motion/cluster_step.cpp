@@ -70,8 +70,10 @@ void Cluster::prepare_rows() {
     row.before = slip_motion(c, g);
     row.turning = turning(g, v, state_.spins[i], state_.spins[j], j >= size(), 0.5 * options_.step);
     row.fixed_loss = 0;
-    if (c.fresh) touch(c, row);
-    else prepare_normal(c, row);
+    if (c.fresh)
+      touch(c, row);
+    else
+      prepare_normal(c, row);
     // The last step's impulses are the guess for this one.
     row.impulse = row.duration > 0 ? c.normal_impulse : row.fixed_impulse;
     row.friction = {};
@@ -182,11 +184,13 @@ double Cluster::relax(ContactState& c, Row& row) noexcept {
   return std::abs(change) + norm(delta.sliding) + couples;
 }
 
-// Nonsmooth conjugate gradients (Silcowitz-Hansen, Niebe, Erleben, Vis. Comput. 26, 893 (2010)): what a sweep changed stands for
-// the gradient; part of the direction before is added. Where that leads out of the limits the next sweep leads back in.
-// Returns the squared size of the change; couples count by the lever of the contact.
+// Nonsmooth conjugate gradients (Silcowitz-Hansen, Niebe, Erleben, Vis. Comput. 26, 893 (2010)): what a sweep changed
+// stands for the gradient; part of the direction before is added. Where that leads out of the limits the next sweep
+// leads back in. Returns the squared size of the change; couples count by the lever of the contact.
 double Cluster::accelerate(double last, bool restart) noexcept {
-  const auto change = [](const Row& r) { return Pulse{r.impulse - r.before_sweep.normal, r.friction.impulse - r.before_sweep.friction}; };
+  const auto change = [](const Row& r) {
+    return Pulse{r.impulse - r.before_sweep.normal, r.friction.impulse - r.before_sweep.friction};
+  };
   double size = 0;
   for (const Row& row : rows_) {
     const auto [normal, f] = change(row);
@@ -259,17 +263,20 @@ void Cluster::conclude_normal(ContactState& c, const Row& row, double rate_after
         // nobody, so no more counts as stored than was and than the impulse has put in.
         const bool clamped = force <= 0 && models_[c.model].end == ContactEnd::force;
         double stored = law.stored_energy(at, memory);
-        stored = clamped ? std::clamp(c.stored + row.impulse * rate, 0.0, stored) : stored + 0.5 * h * (force * rate - burnt);
+        stored = clamped ? std::clamp(c.stored + row.impulse * rate, 0.0, stored)
+                         : stored + 0.5 * h * (force * rate - burnt);
         const bool closes = !clamped && c.force > 0 && row.duration > 0;
-        state_.lost_normal += closes ? h * burnt + (row.impulse - h * force) * rate : row.impulse * rate - (stored - c.stored);
+        state_.lost_normal +=
+            closes ? h * burnt + (row.impulse - h * force) * rate : row.impulse * rate - (stored - c.stored);
         c.stored = stored;
-        if (models_[c.model].end == ContactEnd::force && c.record.end == Encounter::never && c.force > 0 && force <= 0) {
+        if (models_[c.model].end == ContactEnd::force && c.record.end == Encounter::never && c.force > 0 &&
+            force <= 0) {
           const double middle = time() + 0.5 * h;
           c.record.end = middle - c.lag * force / (force - c.force);
           const double still = 1e-9 * c.speed_scale;
-          c.record.how = std::abs(rate) > still           ? EncounterEnd::deformed_rebound
-                         : norm(row.before.slip) > still  ? EncounterEnd::dynamic_contact
-                                                          : EncounterEnd::static_contact;
+          c.record.how = std::abs(rate) > still          ? EncounterEnd::deformed_rebound
+                         : norm(row.before.slip) > still ? EncounterEnd::dynamic_contact
+                                                         : EncounterEnd::static_contact;
         }
         c.force = force;
       },
@@ -281,8 +288,9 @@ void Cluster::conclude_normal(ContactState& c, const Row& row, double rate_after
 void Cluster::conclude_friction(ContactState& c, const Row& row, const SlipMotion& after) {
   const FrictionImpulse& f = row.friction.impulse;
   c.friction = f;
-  state_.lost_friction -= 0.5 * (dot(f.sliding, row.before.slip + after.slip) + f.torsion * (row.before.spin + after.spin) +
-                                 dot(f.rolling, row.before.roll + after.roll));
+  state_.lost_friction -=
+      0.5 * (dot(f.sliding, row.before.slip + after.slip) + f.torsion * (row.before.spin + after.spin) +
+             dot(f.rolling, row.before.roll + after.roll));
 }
 
 void Cluster::note_phases(ContactState& c, const Row& row, double rate_mid, const SlipMotion& after) const {

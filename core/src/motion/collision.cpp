@@ -68,8 +68,7 @@ Collision collide(const Fractional& law, const Impact& impact, const CollideOpti
     detail::require(!gains, "alpha", law.alpha(), ">= 0 for the closed form");
   const double order = 2 - law.alpha();  // of the motion's equation
   if (options.end == ContactEnd::force && order <= 1) return {};
-  if (options.method == CollideMethod::numerical || gains)
-    return motion::follow_fractional(law, impact, options.end);
+  if (options.method == CollideMethod::numerical || gains) return motion::follow_fractional(law, impact, options.end);
   return motion::closed_form(law, impact, options.end);
 }
 

@@ -53,7 +53,8 @@ MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
       shortest, options.longest_memory > 0 ? options.longest_memory : std::min(options.duration, 1e5 * shortest));
   const double tolerance = options.memory_tolerance;
   detail::require(tolerance >= 1e-12 && tolerance <= 0.1, "memory_tolerance", tolerance, "in [1e-12, 0.1]");
-  detail::require(longest <= 1e6 * shortest, "longest_memory", longest, "at most 1e6 of the shortest, that is of the step by default");
+  detail::require(longest <= 1e6 * shortest, "longest_memory", longest,
+                  "at most 1e6 of the shortest, that is of the step by default");
   MemoryKernel kernel = detail::affordable_kernel(alpha, shortest, longest, tolerance);
   if (kernel.error() > tolerance) {
     const std::string accepted = at_least(kernel.error()) + " at alpha = " + three_digits(alpha) +

@@ -37,10 +37,12 @@ double largest_step(const Column& column, const AnyLaw& plate, const AnyLaw& pai
   const auto inverse_mass = [&](std::size_t body) { return body == 0 ? 0.0 : 1 / column.mass[body - 1]; };
   double largest = std::numeric_limits<double>::infinity();
   for (std::size_t j = 1; j <= beads; ++j) {
-    // Gershgorin's bound: contact j feels its own force through both its bodies, a neighbour's through the one they share.
+    // Gershgorin's bound: contact j feels its own force through both its bodies, a neighbour's through the one they
+    // share.
     const double below = inverse_mass(j - 1), above = inverse_mass(j);
     const double w = (j > 1 ? 2 : 1) * below + (j < beads ? 2 : 1) * above, mass = 1 / (below + above);
-    const double step = std::visit([&](const auto& law) { return stable_step(law, w, mass, speed); }, j == 1 ? plate : pair);
+    const double step =
+        std::visit([&](const auto& law) { return stable_step(law, w, mass, speed); }, j == 1 ? plate : pair);
     largest = std::min(largest, step);
   }
   return largest;

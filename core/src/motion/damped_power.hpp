@@ -48,7 +48,8 @@ struct DampedPower {
 };
 
 /// The same motion with the reduced force f = y^R + γ w in the place of w. Where the damping is strong the force ends
-/// when f is some γ^{−2} of either term, so w carries γ² times too few digits of it; w = (f − y^R)/γ from f carries them all.
+/// when f is some γ^{−2} of either term, so w carries γ² times too few digits of it; w = (f − y^R)/γ from f carries
+/// them all.
 template <int P, int Q, int R>
 struct StronglyDampedPower {
   /// y, f and the scaled time.

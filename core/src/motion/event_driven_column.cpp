@@ -14,7 +14,8 @@ namespace {
 /// Body 0 is the plate; gap j lies between bodies j−1 and j and is kept as it was at `since_[j]`.
 class HardColumn {
  public:
-  HardColumn(const Column& column, double en) : en_(en), inverse_mass_{0}, velocity_{0}, gap_{0}, since_{0}, version_{0} {
+  HardColumn(const Column& column, double en)
+      : en_(en), inverse_mass_{0}, velocity_{0}, gap_{0}, since_{0}, version_{0} {
     for (std::size_t i = 0; i < column.mass.size(); ++i) {
       inverse_mass_.push_back(1 / column.mass[i]);
       velocity_.push_back(column.velocity[i]);

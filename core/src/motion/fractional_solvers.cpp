@@ -53,8 +53,7 @@ struct End {
 End located_end(const Path& path) {
   const std::size_t b = path.time.size() - 1, a = b - 1;
   const double t = zero_of_force(path);
-  return {t,
-          hermite(path.time[a], path.time[b], path.overlap[a], path.overlap[b], path.rate[a], path.rate[b], t),
+  return {t, hermite(path.time[a], path.time[b], path.overlap[a], path.overlap[b], path.rate[a], path.rate[b], t),
           hermite(path.time[a], path.time[b], path.rate[a], path.rate[b], -path.force[a], -path.force[b], t)};
 }
 
@@ -114,7 +113,7 @@ FractionalSolverResult by_collocation(const Fractional& law, const Impact& impac
   result.en = solution.en;
   result.overlap_end = solution.overlap_end * unit * impact.velocity;
   result.steps = n;
-  result.kernel_evaluations = solves * n * n;          // one a matrix entry
+  result.kernel_evaluations = solves * n * n;       // one a matrix entry
   result.multiplications = solves * n * n * n / 3;  // one elimination
   return result;
 }
@@ -143,7 +142,9 @@ FractionalSolverResult solve_collision(FractionalScheme scheme, const Fractional
   if (scheme == FractionalScheme::collocation) return by_collocation(law, impact, options);
 
   const double unit = natural_time(law, impact), v0 = impact.velocity, h = options.step / unit;
-  const Mesh mesh{.alpha = law.alpha(), .first = (1 - options.offset) * h, .step = h,
+  const Mesh mesh{.alpha = law.alpha(),
+                  .first = (1 - options.offset) * h,
+                  .step = h,
                   .end = options.end_time > 0 ? options.end_time / unit : longest_contact(law.alpha()),
                   .exact = options.end_time > 0};
   detail::require(mesh.first < mesh.end, "step", options.step, "shorter than the contact");

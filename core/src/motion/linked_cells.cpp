@@ -36,7 +36,9 @@ std::size_t hash(Cell c) noexcept {
 class Buckets {
  public:
   Buckets(std::span<const Vec3> positions, double edge)
-      : mask_(std::bit_ceil(std::max<std::size_t>(positions.size(), 1)) - 1), begin_(mask_ + 2), members_(positions.size()) {
+      : mask_(std::bit_ceil(std::max<std::size_t>(positions.size(), 1)) - 1),
+        begin_(mask_ + 2),
+        members_(positions.size()) {
     cells_.reserve(positions.size());
     for (const Vec3& p : positions) ++begin_[bucket(cells_.emplace_back(cell_of(p, edge))) + 1];
     for (std::size_t b = 1; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];

@@ -15,8 +15,8 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 
 // Local error a step, relative to the component and to its change over the step: the change keeps the scale where the
-// velocity passes through zero, and nothing absolute spoils the small velocities of a strongly damped rebound. A collision
-// takes some tens of steps.
+// velocity passes through zero, and nothing absolute spoils the small velocities of a strongly damped rebound. A
+// collision takes some tens of steps.
 constexpr double tolerance = 3e-15;
 constexpr double first_step = 0.05;
 /// Slower than this and still overlapping, under an attractive force: bodies creep under Kuwabara and Kono's law, and
@@ -67,9 +67,9 @@ class Steps {
     if (!(left > 0 && right <= 0)) return std::nullopt;
     if (right == 0) return limit;
     std::uintmax_t trials = 60;
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        [&](double length) { return value(at(length)); }, 0.0, limit, left, right,
-        boost::math::tools::eps_tolerance<double>(), trials);
+    const auto [low, high] =
+        boost::math::tools::toms748_solve([&](double length) { return value(at(length)); }, 0.0, limit, left, right,
+                                          boost::math::tools::eps_tolerance<double>(), trials);
     return 0.5 * (low + high);
   }
 

@@ -108,9 +108,7 @@ std::optional<AnyLaw> unit_hysteretic(double en) {
   return Hysteretic(k1, k2);
 }
 
-Fractional unit_fractional(const FractionalContact& contact) {
-  return {contact.z_star, contact.z_star, contact.alpha};
-}
+Fractional unit_fractional(const FractionalContact& contact) { return {contact.z_star, contact.z_star, contact.alpha}; }
 
 std::optional<AnyLaw> unit_fractional(double en, ContactEnd end) {
   if (en < least_restitution(end)) return std::nullopt;

@@ -88,9 +88,11 @@ std::vector<Frame> Workplace::frames(const std::string& dump) const {
     Frame frame;
     std::size_t count = 0;
     in >> frame.step;
-    while (std::getline(in, line) && line != "ITEM: NUMBER OF ATOMS") {}
+    while (std::getline(in, line) && line != "ITEM: NUMBER OF ATOMS") {
+    }
     in >> count;
-    while (std::getline(in, line) && line.rfind("ITEM: ATOMS", 0) != 0) {}
+    while (std::getline(in, line) && line.rfind("ITEM: ATOMS", 0) != 0) {
+    }
     frame.position.resize(count), frame.velocity.resize(count), frame.force.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       long id = 0;

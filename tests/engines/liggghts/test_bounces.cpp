@@ -45,14 +45,14 @@ std::vector<Frame> run_bounces(const Setting& setting, int ranks) {
     grains.push_back({.position = {3 * radius + room, 1e-3, 0}});
   }
   const double duration = room / speed * (1 - std::pow(1 / en, bounces)) / (1 - 1 / en) + (bounces + 0.7) * tcol;
-  const std::string deck = preamble(box, ranks == 2 ? "2 1 1" : "1 1 1") + place.create(grains, box) +
-                           "neighbor 0.001 bin\nneigh_modify delay 0\n" + pair_property("collisionTime", tcol) +
-                           pair_property("coefficientRestitution", en) +
-                           "pair_style gran model fractional\npair_coeff * *\n" + setting.walls +
-                           (setting.grains ? "group free subtract all fixed\nfix move free nve/sphere\n"
-                                           : "fix move all nve/sphere\n") +
-                           "timestep " + number(dt) + "\n" + dump_command("dump") + "run " +
-                           std::to_string(static_cast<int>(duration / dt)) + "\n";
+  const std::string deck =
+      preamble(box, ranks == 2 ? "2 1 1" : "1 1 1") + place.create(grains, box) +
+      "neighbor 0.001 bin\nneigh_modify delay 0\n" + pair_property("collisionTime", tcol) +
+      pair_property("coefficientRestitution", en) + "pair_style gran model fractional\npair_coeff * *\n" +
+      setting.walls +
+      (setting.grains ? "group free subtract all fixed\nfix move free nve/sphere\n" : "fix move all nve/sphere\n") +
+      "timestep " + number(dt) + "\n" + dump_command("dump") + "run " +
+      std::to_string(static_cast<int>(duration / dt)) + "\n";
   REQUIRE(place.run(deck, ranks) == 0);
   CHECK(place.output().find("Neighbor list builds = 0") != std::string::npos);
   return place.frames("dump");

@@ -10,8 +10,8 @@ using namespace engines;
 
 namespace {
 
-constexpr double tcol = 1e-4;   // [s]
-constexpr double speed = 0.5;   // of approach [m/s]
+constexpr double tcol = 1e-4;  // [s]
+constexpr double speed = 0.5;  // of approach [m/s]
 const std::vector<double> restitutions{0.1, 0.3, 0.5, 0.8, 0.95};
 // Where in a step the grains touch, as fractions of a step: the error of a step depends on it.
 const std::vector<double> phases{0.03, 0.25, 0.5, 0.75, 0.97};
@@ -56,8 +56,7 @@ double contact_time(const std::vector<Frame>& frames, std::size_t grain, double 
   const auto first = std::find_if(force.begin(), force.end(), [](double f) { return f > 0; });
   const auto end = std::find(first, force.end(), 0.0);
   const auto last = end - 3;
-  const double d1 = last[0] - last[-1], d2 = d1 - (last[-1] - last[-2]),
-               d3 = d2 - (last[-1] - 2 * last[-2] + last[-3]);
+  const double d1 = last[0] - last[-1], d2 = d1 - (last[-1] - last[-2]), d3 = d2 - (last[-1] - 2 * last[-2] + last[-3]);
   const auto cubic = [&](double s) { return last[0] + s * d1 + s * (s + 1) / 2 * d2 + s * (s + 1) * (s + 2) / 6 * d3; };
   double low = 0, high = 5;  // steps after the last value
   for (int i = 0; i < 60; ++i) (cubic((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
@@ -71,11 +70,10 @@ std::vector<Errors> run_series(const std::string& name, bool wall, const std::st
     const double dt = tcol / steps;
     const Workplace place(name + "_" + std::to_string(steps));
     place.write_square("square.stl", 5e-4, 0.0295);
-    const std::string deck = preamble(box) + place.create(grains_for(dt, wall), box) +
-                             "neighbor 0.0005 bin\n" + materials() +
-                             "pair_style gran model fractional\npair_coeff * *\n" + wall_commands +
-                             "fix move all nve/sphere\ntimestep " + number(dt) + "\n" + dump_command("dump") +
-                             "run " + std::to_string(steps + steps / 5 + 10) + "\n";
+    const std::string deck = preamble(box) + place.create(grains_for(dt, wall), box) + "neighbor 0.0005 bin\n" +
+                             materials() + "pair_style gran model fractional\npair_coeff * *\n" + wall_commands +
+                             "fix move all nve/sphere\ntimestep " + number(dt) + "\n" + dump_command("dump") + "run " +
+                             std::to_string(steps + steps / 5 + 10) + "\n";
     REQUIRE(place.run(deck) == 0);
     const auto frames = place.frames("dump");
     for (std::size_t m = 0; m < restitutions.size(); ++m) {
@@ -116,9 +114,8 @@ TEST_CASE("a pair of grains reaches its collision time and restitution") {
 }
 
 TEST_CASE("a grain on a primitive wall reaches its collision time and restitution") {
-  report_and_check("primitive wall",
-                   run_series("collision_primitive", true,
-                              "fix wall all wall/gran model fractional primitive type 1 xplane 0\n"));
+  report_and_check("primitive wall", run_series("collision_primitive", true,
+                                                "fix wall all wall/gran model fractional primitive type 1 xplane 0\n"));
 }
 
 TEST_CASE("a grain on a mesh wall reaches its collision time and restitution") {

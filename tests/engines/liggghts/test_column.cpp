@@ -28,7 +28,8 @@ ricochet::ColumnResult reference(double mass) {
   options.step = tcol / 2000;
   options.duration = duration;
   options.longest_memory = memory;
-  return ricochet::run_column(ricochet::equal_column(beads, mass, gap, -speed), law_at(mass), law_at(mass / 2), options);
+  return ricochet::run_column(ricochet::equal_column(beads, mass, gap, -speed), law_at(mass), law_at(mass / 2),
+                              options);
 }
 
 std::vector<double> velocities_in_engine(int steps, const Grain& bead) {
@@ -45,8 +46,9 @@ std::vector<double> velocities_in_engine(int steps, const Grain& bead) {
                     "fix memory all property/global memoryTime scalar " + number(memory) +
                     "\npair_style gran model fractional\npair_coeff * *\n"
                     "fix plate all wall/gran model fractional primitive type 1 zplane 0\n"
-                    "fix move all nve/sphere\ntimestep " + number(tcol / steps) + "\n" + dump_command("dump", count) +
-                    "run " + std::to_string(count) + "\n") == 0);
+                    "fix move all nve/sphere\ntimestep " +
+                    number(tcol / steps) + "\n" + dump_command("dump", count) + "run " + std::to_string(count) +
+                    "\n") == 0);
   std::vector<double> velocity;
   for (const Vector& v : place.frames("dump").back().velocity) velocity.push_back(v[2]);
   return velocity;
@@ -66,8 +68,8 @@ TEST_CASE("a column of ten beads leaves the plate as our own column engine has i
       energy += velocity[i] * velocity[i] / (beads * speed * speed);
       worst = std::max(worst, std::fabs(velocity[i] - exact.velocity[i]) / speed);
     }
-    std::printf("column of %d, t_col/%d: E/E0 = %.7f (%.7f in our engine), velocities within %.1e of the impact's\n", beads,
-                steps, energy, exact.energy_ratio, worst);
+    std::printf("column of %d, t_col/%d: E/E0 = %.7f (%.7f in our engine), velocities within %.1e of the impact's\n",
+                beads, steps, energy, exact.energy_ratio, worst);
     errors.push_back(worst);
   }
   CHECK(errors[0] <= 1e-3);

@@ -62,7 +62,8 @@ TEST_CASE("a pair that crosses from rank to rank in contact moves as on one rank
   for (int axis : {0, 1})
     for (double drift : {30., -30.}) {
       const auto grains = drifting_pair(axis, drift);
-      const std::string name = std::string("crossing_") + (axis == 0 ? "along" : "across") + (drift > 0 ? "_right" : "_left");
+      const std::string name =
+          std::string("crossing_") + (axis == 0 ? "along" : "across") + (drift > 0 ? "_right" : "_left");
       const auto one = run_pair(name, grains, 1), two = run_pair(name, grains, 2);
       const int crossed = crossings_in_contact(two, 0) + crossings_in_contact(two, 1);
       const double difference = largest_difference(one, two);
@@ -93,11 +94,14 @@ TEST_CASE("a run restarted in the middle of contacts goes on as the whole one") 
     const std::string start = preamble(box, ranks == 2 ? "2 1 1" : "1 1 1");
     const int cut = 10 + 20;  // 0.4 t_col into the contacts
     REQUIRE(place.run(start + place.create(grains, box) + physics(walls) + dump_command("whole") + "run " +
-                          std::to_string(steps) + "\n", ranks) == 0);
+                          std::to_string(steps) + "\n",
+                      ranks) == 0);
     REQUIRE(place.run(start + place.create(grains, box) + physics(walls) + "run " + std::to_string(cut) +
-                          "\nwrite_restart cut.restart\n", ranks) == 0);
+                          "\nwrite_restart cut.restart\n",
+                      ranks) == 0);
     REQUIRE(place.run(start + "read_restart cut.restart\n" + physics(walls) + dump_command("rest") + "run " +
-                          std::to_string(steps - cut) + "\n", ranks) == 0);
+                          std::to_string(steps - cut) + "\n",
+                      ranks) == 0);
     auto whole = place.frames("whole");
     const auto rest = place.frames("rest");
     for (int i = 0; i < 4; ++i) {

@@ -22,10 +22,9 @@ std::string target() { return pair_property("collisionTime", tcol) + pair_proper
 std::string strike(const Workplace& place, const std::string& properties, const std::string& models) {
   return preamble(box) + place.create({striker}, box) + "neighbor 0.0005 bin\n" + properties +
          pair_property("coefficientFriction", friction) + pair_property("coefficientRollingFriction", 0.1) +
-         "pair_style gran model fractional " + models +
-         "\npair_coeff * *\nfix wall all wall/gran model fractional " + models +
-         " primitive type 1 xplane 0\nfix move all nve/sphere\ntimestep " + number(dt) + "\n" + dump_command("dump") +
-         "run 100\n";
+         "pair_style gran model fractional " + models + "\npair_coeff * *\nfix wall all wall/gran model fractional " +
+         models + " primitive type 1 xplane 0\nfix move all nve/sphere\ntimestep " + number(dt) + "\n" +
+         dump_command("dump") + "run 100\n";
 }
 
 Vector velocity_after(const std::string& name, const std::string& properties, const std::string& models) {
@@ -44,8 +43,7 @@ std::string complaint(const std::string& name, const std::string& properties) {
 
 TEST_CASE("k, c and α give the contact that the target gives") {
   const double alpha = ricochet::conversion_degree(en);
-  const double coefficient =
-      striker.mass() * ricochet::fractional_contact(alpha).z_star / std::pow(tcol, 2 - alpha);
+  const double coefficient = striker.mass() * ricochet::fractional_contact(alpha).z_star / std::pow(tcol, 2 - alpha);
   const double k = 4000, c = std::pow(coefficient / std::pow(k, 1 - alpha), 1 / alpha);
   const auto by_target = velocity_after("by_target", target(), "");
   const auto by_parameters = velocity_after(

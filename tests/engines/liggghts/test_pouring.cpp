@@ -27,11 +27,11 @@ std::vector<Grain> loose_lattice(double spacing) {
   std::uniform_real_distribution<double> shift(-1e-4, 1e-4), stir(-0.3, 0.3);
   std::vector<Grain> grains;
   for (int i = 0; i < side * side * side; ++i)
-    grains.push_back({.radius = radius,
-                      .position = {(i % side + 0.5) * spacing + shift(random),
-                                   (i / side % side + 0.5) * spacing + shift(random),
-                                   (i / (side * side) + 0.5) * spacing},
-                      .velocity = {stir(random), stir(random), stir(random)}});
+    grains.push_back(
+        {.radius = radius,
+         .position = {(i % side + 0.5) * spacing + shift(random), (i / side % side + 0.5) * spacing + shift(random),
+                      (i / (side * side) + 0.5) * spacing},
+         .velocity = {stir(random), stir(random), stir(random)}});
   return grains;
 }
 
@@ -49,13 +49,12 @@ std::vector<Energy> pour(const Pouring& pouring, int ranks) {
   std::string walls;
   const char* planes[] = {"zplane 0", "xplane 0", "yplane 0", "xplane 0.034", "yplane 0.034"};
   for (int i = 0; i < 5; ++i)
-    walls += "fix wall" + std::to_string(i) + " all wall/gran model fractional " + pouring.models + " primitive type 1 " + planes[i] +
-             " trackEnergy on\n";
+    walls += "fix wall" + std::to_string(i) + " all wall/gran model fractional " + pouring.models +
+             " primitive type 1 " + planes[i] + " trackEnergy on\n";
   const std::string deck =
       preamble(box, ranks == 2 ? "2 1 1" : "1 1 1") + place.create(grains, box) +
       "neighbor 0.0006 bin\nneigh_modify delay 0\n" + pair_property("collisionTime", tcol) +
-      pair_property("coefficientRestitution", 0.5) +
-      pair_property("coefficientFriction", 0.5) +
+      pair_property("coefficientRestitution", 0.5) + pair_property("coefficientFriction", 0.5) +
       pair_property("coefficientRollingFriction", 0.1) + "pair_style gran model fractional " + pouring.models +
       " trackEnergy on\npair_coeff * *\n" + walls +
       "fix weight all gravity 9.81 vector 0 0 -1\nfix move all nve/sphere\ntimestep " + number(dt) +
@@ -112,8 +111,8 @@ TEST_CASE("1000 poured grains with friction and rolling resistance settle, on tw
     double fastest = 0;
     for (const Energy& e : energies) fastest = std::max(fastest, e.kinetic);
     last.push_back(energies.back());
-    std::printf("pouring with friction on %d rank(s): centre of mass at %.4f mm, kinetic energy %.1e of its peak\n", ranks,
-                1e3 * last.back().height, last.back().kinetic / fastest);
+    std::printf("pouring with friction on %d rank(s): centre of mass at %.4f mm, kinetic energy %.1e of its peak\n",
+                ranks, 1e3 * last.back().height, last.back().kinetic / fastest);
     CHECK(last.back().kinetic <= 1e-4 * fastest);
   }
   CHECK(last[1].height == Approx(last[0].height).epsilon(5e-3));

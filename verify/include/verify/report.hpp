@@ -24,7 +24,7 @@ std::string table_file(const Study& study, std::size_t table);
 struct Outcome {
   const Study* study;
   std::optional<StudyResult> result = {};
-  std::string error = {};                   ///< empty unless the study, or writing it, broke down
+  std::string error = {};                  ///< empty unless the study, or writing it, broke down
   std::vector<std::string> pictures = {};  ///< SVG, one a figure
   double seconds = 0;
 };

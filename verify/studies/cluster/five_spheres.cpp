@@ -10,7 +10,8 @@ ClusterSetup five_spheres(double alpha, double k) {
   // Sec. IV of the paper, text before Fig. 7; SI units.
   constexpr double radius[] = {0.02, 0.01, 0.007, 0.005, 0.009};
   constexpr double density[] = {2000, 2000, 1000, 1000, 1000};
-  constexpr Vec3 place[] = {{0, 0.1, 0.23}, {0.001, 0.125, 0.205}, {-0.002, 0.090, 0.198}, {-0.004, 0.120, 0.186}, {-0.001, 0.1, 0.18}};
+  constexpr Vec3 place[] = {
+      {0, 0.1, 0.23}, {0.001, 0.125, 0.205}, {-0.002, 0.090, 0.198}, {-0.004, 0.120, 0.186}, {-0.001, 0.1, 0.18}};
   ClusterSetup setup;
   for (int i = 0; i < 5; ++i)
     setup.spheres.push_back({radius[i], density[i], place[i], i == 0 ? Vec3{0, 0, -5} : Vec3{}, {}, 0});
@@ -22,7 +23,8 @@ namespace {
 
 Sample sample(const ricochet::Cluster& c) {
   Sample s{c.time(), {}, {}, {}};
-  for (std::size_t i = 0; i < 5; ++i) s.position[i] = c.position(i), s.velocity[i] = c.velocity(i), s.spin[i] = c.spin(i);
+  for (std::size_t i = 0; i < 5; ++i)
+    s.position[i] = c.position(i), s.velocity[i] = c.velocity(i), s.spin[i] = c.spin(i);
   return s;
 }
 
@@ -30,7 +32,10 @@ Sample sample(const ricochet::Cluster& c) {
 class Watch {
  public:
   Watch(const ricochet::Cluster& c, const ClusterSetup& setup)
-      : momentum_(c.momentum()), angular_(c.angular_momentum()), total_(c.energy().total()), least_(c.energy().mechanical()) {
+      : momentum_(c.momentum()),
+        angular_(c.angular_momentum()),
+        total_(c.energy().total()),
+        least_(c.energy().mechanical()) {
     for (const Sphere& s : setup.spheres) {
       momentum_scale_ += s.mass() * norm(s.velocity);
       angular_scale_ += s.mass() * norm(s.position) * norm(s.velocity);
@@ -59,7 +64,8 @@ Run run(double alpha, double k, double duration, double step, double sample_inte
   const double h = sample_interval / static_cast<double>(every);
   const ClusterSetup setup = five_spheres(alpha, k);
   // No contact outlasts the run; the kernel reaches as far.
-  ricochet::Cluster cluster(setup, {.step = h, .longest_contact = std::min(duration, 4e5 * h), .solver_tolerance = 1e-13});
+  ricochet::Cluster cluster(setup,
+                            {.step = h, .longest_contact = std::min(duration, 4e5 * h), .solver_tolerance = 1e-13});
   Run run{.alpha = alpha, .k = k, .step = h, .samples = {sample(cluster)}, .collisions = {}};
   Watch watch(cluster, setup);
   const auto steps = static_cast<std::uint64_t>(std::llround(duration / h));

@@ -24,7 +24,8 @@ ColumnResult run(const AnyLaw& plate, const AnyLaw& pair, std::size_t beads, con
   options.memory_tolerance = c.memory_tolerance;
   ColumnResult result = run_column(equal_column(beads, bead_mass, c.gap, -fall_velocity), plate, pair, options);
   if (result.end == ColumnEnd::broke_down)
-    throw console::Failed("column of " + std::to_string(beads) + " beads, " + id + ": the motion broke down; more steps a contact are needed");
+    throw console::Failed("column of " + std::to_string(beads) + " beads, " + id +
+                          ": the motion broke down; more steps a contact are needed");
   if (result.end == ColumnEnd::out_of_time)
     throw console::Failed("column of " + std::to_string(beads) + " beads, " + id + ": contacts are not over after " +
                           std::to_string(result.steps) + " steps");

@@ -12,10 +12,10 @@ namespace ricochet::verify {
 /// The paper's Fig. 6: beads of r = 1.5e-3 m, m = 1.41e-5 kg stacked over a plate, all falling at 0.5 m/s, no gravity.
 /// Every contact, of a pair and of the plate, is made for the same t_col and e_n.
 struct ColumnCase {
-  double gap = 1e-6;   ///< under each bead [m]; the print is illegible, about this
+  double gap = 1e-6;  ///< under each bead [m]; the print is illegible, about this
   double en = 0.945;
-  double tcol = 1e-4;  ///< [s]
-  int steps = 200;     ///< a t_col
+  double tcol = 1e-4;              ///< [s]
+  int steps = 200;                 ///< a t_col
   double memory_tolerance = 1e-6;  ///< of the fractional law's kernel
   double memory_contacts = 0;      ///< its longest time [t_col]; 0: 20 + the number of beads
 };

@@ -71,7 +71,8 @@ ConversionLaw minimise(Curve& curve) {
   std::vector<double> x{0.5, 1.2};
   double least = 0;
   try {
-    if (search.optimize(x, least) == nlopt::MAXEVAL_REACHED) throw console::Failed("alpha(nc): NLopt does not converge");
+    if (search.optimize(x, least) == nlopt::MAXEVAL_REACHED)
+      throw console::Failed("alpha(nc): NLopt does not converge");
   } catch (const nlopt::roundoff_limited&) {  // x then holds the best point, to rounding
   }
   return {curve.first, x[0], x[1]};
@@ -89,7 +90,8 @@ ConversionFit fit_conversion(std::size_t most, std::size_t stride, const ColumnC
   Curve curve{conversion_degree(c.en), c, stride, {}};
   for (std::size_t n = 1; n <= most; ++n) {
     const auto target = event_driven_share(n, c);
-    if (!target) throw console::Failed("alpha(nc): the event-driven column of " + std::to_string(n) + " beads collapses");
+    if (!target)
+      throw console::Failed("alpha(nc): the event-driven column of " + std::to_string(n) + " beads collapses");
     curve.target.push_back(*target);
   }
   ConversionFit fit{minimise(curve), {}};
@@ -97,7 +99,8 @@ ConversionFit fit_conversion(std::size_t most, std::size_t stride, const ColumnC
   const ConversionLaw simple{curve.first, 1, 1};
   for (std::size_t n = 1; n <= most; ++n) {
     const double target = curve.target[n - 1], alpha = exact_alpha(curve, n, target);
-    fit.points.push_back({n, target, alpha, std::log1p(-alpha) / std::log1p(-curve.first), curve.share_of(fit.law(n), n)});
+    fit.points.push_back(
+        {n, target, alpha, std::log1p(-alpha) / std::log1p(-curve.first), curve.share_of(fit.law(n), n)});
     const double miss = std::abs(fit.points.back().fitted_share - target);
     fit.worst = std::max(fit.worst, miss);
     fit.rms += miss * miss / static_cast<double>(most);

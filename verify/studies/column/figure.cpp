@@ -24,10 +24,14 @@ std::string styled(const std::string& id) {
     const char *id, *colour;
     int point;
   };
-  constexpr Style styles[] = {{"event-driven", "#000000", 0},      {"linear1", "#56B4E9", 4},
-                              {"linear2", "#0072B2", 1},           {"kuwabara-kono", "#009E73", 8},
-                              {"tsuji", "#E69F00", 10},            {"hysteretic", "#CC79A7", 12},
-                              {"fractional", "#D55E00", 7},        {"fractional alpha=0.0258", "#D55E00", 6},
+  constexpr Style styles[] = {{"event-driven", "#000000", 0},
+                              {"linear1", "#56B4E9", 4},
+                              {"linear2", "#0072B2", 1},
+                              {"kuwabara-kono", "#009E73", 8},
+                              {"tsuji", "#E69F00", 10},
+                              {"hysteretic", "#CC79A7", 12},
+                              {"fractional", "#D55E00", 7},
+                              {"fractional alpha=0.0258", "#D55E00", 6},
                               {"fractional alpha(nc)", "#D55E00", 5}};
   for (const Style& s : styles)
     if (id == s.id) {
@@ -51,12 +55,11 @@ std::string plot(const std::string& file, const std::vector<ShareCurve>& curves)
   std::string script = "plot ";
   for (std::size_t i = 0; i < curves.size(); ++i)
     script += (i ? ", \\\n  " : "") + ("'" + file + "' skip 1 using 1:" + std::to_string(i + 2) + " " +
-                                        styled(curves[i].id) + " title \"" + title(curves[i].id) + '"');
+                                       styled(curves[i].id) + " title \"" + title(curves[i].id) + '"');
   return script + "\n";
 }
 
-constexpr const char* common =
-    "set ylabel 'dissipated share of the kinetic energy'\nset yrange [0:1]\n";
+constexpr const char* common = "set ylabel 'dissipated share of the kinetic energy'\nset yrange [0:1]\n";
 
 }  // namespace
 
@@ -74,8 +77,9 @@ console::Figure share_figure(const std::vector<std::size_t>& beads, const std::v
             "set key outside right center reverse Left spacing 1.3\n" +
             drawn + "unset multiplot\n";
   return {.name = "column-share",
-          .caption = "Dissipated share (62) of a column of beads that falls on a plate, against the number of beads; "
-                     "right the laws with constant parameters, enlarged.",
+          .caption =
+              "Dissipated share (62) of a column of beads that falls on a plate, against the number of beads; "
+              "right the laws with constant parameters, enlarged.",
           .script = script,
           .data = {{"column-share.csv", csv("nc", x, curves)}},
           .width = 1150,
@@ -84,8 +88,9 @@ console::Figure share_figure(const std::vector<std::size_t>& beads, const std::v
 
 console::Figure gap_figure(std::size_t beads, const std::vector<double>& gaps, const std::vector<ShareCurve>& curves) {
   std::string script = common;
-  script += "set xlabel 'gap between the beads [m]'\nset logscale x\nset xrange [1e-8:1e-2]\nset format x '10^{%L}'\n"
-            "set key outside right center reverse Left spacing 1.3\n";
+  script +=
+      "set xlabel 'gap between the beads [m]'\nset logscale x\nset xrange [1e-8:1e-2]\nset format x '10^{%L}'\n"
+      "set key outside right center reverse Left spacing 1.3\n";
   return {.name = "column-gap",
           .caption = "Dissipated share (62) of " + std::to_string(beads) +
                      " beads against the gap between them: from detachment to single collisions.",

@@ -47,7 +47,8 @@ console::Table known_energies(std::vector<Gate>& gates) {
   for (const Known& k : known) {
     const double ratio = run_case(*find_column_law("linear1"), k.beads, {.gap = 0, .en = 0.9}).energy_ratio;
     table.row({static_cast<std::int64_t>(k.beads), ratio, k.ratio});
-    gates.push_back(near("touching linear beads, en 0.9, nc " + std::to_string(k.beads) + ": E/E0", ratio, k.ratio, 1e-4));
+    gates.push_back(
+        near("touching linear beads, en 0.9, nc " + std::to_string(k.beads) + ": E/E0", ratio, k.ratio, 1e-4));
   }
   table.note("known: one independent calculation, to 1e-4.");
   return table;
@@ -64,7 +65,8 @@ console::Table observed_orders(std::vector<Gate>& gates) {
   for (const ColumnLaw& law : column_laws()) {
     double ratio[4];
     for (int i = 0; i < 4; ++i)
-      ratio[i] = run_case(law, beads, {.steps = 100 << i, .memory_tolerance = 1e-7, .memory_contacts = 15}).energy_ratio;
+      ratio[i] =
+          run_case(law, beads, {.steps = 100 << i, .memory_tolerance = 1e-7, .memory_contacts = 15}).energy_ratio;
     const double first = ratio[1] - ratio[0], last = ratio[3] - ratio[2];
     const double order = 0.5 * std::log2(std::abs(first / last));
     table.row({std::string(law.id), first, ratio[2] - ratio[1], last, order});

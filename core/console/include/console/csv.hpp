@@ -8,8 +8,8 @@
 
 namespace ricochet::console {
 
-/// Splits one line of CSV at its commas into `fields`, blanks around a field and a pair of double quotes taken off; a quoted
-/// field may hold commas, but neither quotes nor line ends. Returns how many there are, or nothing where a quote
+/// Splits one line of CSV at its commas into `fields`, blanks around a field and a pair of double quotes taken off; a
+/// quoted field may hold commas, but neither quotes nor line ends. Returns how many there are, or nothing where a quote
 /// is not closed or there are more than `fields` holds.
 std::optional<std::size_t> split_csv(std::string_view line, std::span<std::string_view> fields);
 

@@ -25,10 +25,10 @@ struct HtmlLink {
 };
 
 struct TableView {
-  std::string id;                    ///< unique in the page
-  std::vector<HtmlLink> links = {};  ///< shown under the table: its CSV
-  std::size_t shown = 16;            ///< rows in sight; the others open on demand
-  std::size_t most = 400;            ///< rows in the page at all; beyond them the links have to do
+  std::string id;                           ///< unique in the page
+  std::vector<HtmlLink> links = {};         ///< shown under the table: its CSV
+  std::size_t shown = 16;                   ///< rows in sight; the others open on demand
+  std::size_t most = 400;                   ///< rows in the page at all; beyond them the links have to do
   std::vector<std::string> raw_first = {};  ///< HTML that stands for the first cell of each row; empty: the cells
 };
 

@@ -13,10 +13,11 @@ enum class Instructions { baseline, avx2 };
 /// The widest of them that this processor, its operating system and (with glibc, by g++) GLIBC_TUNABLES allow.
 Instructions widest_instructions() noexcept;
 
-/// Steps the arms of many contacts of one law together, the overlap of each going linearly from ζ₀ to ζ₁ over the step h:
+/// Steps the arms of many contacts of one law together, the overlap of each going linearly from ζ₀ to ζ₁ over the step
+/// h:
 ///   q_j ← e^{−x} q_j + φ₁(x)(ζ₁ − ζ₀),   x = rate_j h,   φ₁(x) = (1 − e^{−x})/x,
-/// which is `advance` at the constant rate (ζ₁ − ζ₀)/h, and gives what an engine needs next: the law's mean force over the
-/// coming step is affine in the rate ζ' that the contact then has,
+/// which is `advance` at the constant rate (ζ₁ − ζ₀)/h, and gives what an engine needs next: the law's mean force over
+/// the coming step is affine in the rate ζ' that the contact then has,
 ///   F̄ = held + slope·ζ',   held = spring·ζ₁ + Σ stiffness_j φ₁(x) q_j,
 /// which is `mean_force`. An arm is touched once a step, at three multiplications and two additions.
 ///

@@ -8,8 +8,8 @@ namespace ricochet {
 
 /// Restitution and damping of the two laws whose restitution does not depend on the impact velocity.
 ///
-/// The linear law mζ'' + cζ' + kζ = 0 has the damping ratio β = c/(2√(mk)). Tsuji's law mζ'' + cζ^{1/4}ζ' + kζ^{3/2} = 0
-/// is the same oscillator by another clock: with q ∝ ζ^{5/4} and ds ∝ ζ^{1/4} dt it becomes q'' + 2βq' + q = 0 with
+/// The linear law mζ'' + cζ' + kζ = 0 has the damping ratio β = c/(2√(mk)). Tsuji's law mζ'' + cζ^{1/4}ζ' + kζ^{3/2} =
+/// 0 is the same oscillator by another clock: with q ∝ ζ^{5/4} and ds ∝ ζ^{1/4} dt it becomes q'' + 2βq' + q = 0 with
 /// β = c/√(5mk), and its force vanishes where q + 2βq' does. So both laws share, for both ends of a contact,
 ///
 /// - end by overlap (24), q = 0:        e_n = exp(−πβ/√(1−β²)),  β < 1 only (an overdamped overlap never returns);

@@ -50,16 +50,16 @@ class FractionalArms {
   const Fractional& law() const noexcept { return law_; }
   double step() const noexcept { return step_; }  ///< [s]
   std::size_t arms() const noexcept { return arms_; }
-  double spring() const noexcept { return spring_; }                                ///< [N/m]
-  double dashpot() const noexcept { return dashpot_; }                              ///< [N s/m]
-  double stiffness(std::size_t arm) const noexcept { return stiffness_[arm]; }      ///< [N/m]
-  double relaxation_rate(std::size_t arm) const noexcept { return rate_[arm]; }     ///< [1/s]
+  double spring() const noexcept { return spring_; }                             ///< [N/m]
+  double dashpot() const noexcept { return dashpot_; }                           ///< [N s/m]
+  double stiffness(std::size_t arm) const noexcept { return stiffness_[arm]; }   ///< [N/m]
+  double relaxation_rate(std::size_t arm) const noexcept { return rate_[arm]; }  ///< [1/s]
 
   double force(Approach a, const Memory& m) const noexcept;
   void advance(Memory& m, Approach before, Approach after, double dt) const noexcept;
-  /// `advance` over dt = step() and `force` at its end in one pass, for an engine that keeps the elongations in an array
-  /// of its own of Slots ≥ arms() values, even, those past arms() being 0. Sums even and odd arms apart: it is bound by
-  /// the latency of one sum otherwise.
+  /// `advance` over dt = step() and `force` at its end in one pass, for an engine that keeps the elongations in an
+  /// array of its own of Slots ≥ arms() values, even, those past arms() being 0. Sums even and odd arms apart: it is
+  /// bound by the latency of one sum otherwise.
   template <std::size_t Slots>
   double advance_step(double* elongation, Approach before, Approach after) const noexcept {
     static_assert(Slots % 2 == 0 && Slots <= max_arms);
@@ -79,9 +79,9 @@ class FractionalArms {
   Fractional law_;
   std::size_t arms_ = 0;
   double step_ = 0;
-  double spring_ = 0;   // [N/m]
-  double dashpot_ = 0;  // [N s/m]
-  std::array<double, max_arms> stiffness_{}, rate_{};             // of each arm [N/m], [1/s]
+  double spring_ = 0;                                                    // [N/m]
+  double dashpot_ = 0;                                                   // [N s/m]
+  std::array<double, max_arms> stiffness_{}, rate_{};                    // of each arm [N/m], [1/s]
   std::array<double, max_arms> decay_{}, gain_before_{}, gain_after_{};  // over step_
 };
 

@@ -21,8 +21,9 @@ struct FractionalContact {
   double max_force;      ///< greatest force [m v₀/t_col]
 };
 
-/// The collision at conversion degree α, ended by the first zero of the force (25) for 0 ≤ α < 1, or of the overlap (24)
-/// for 0 ≤ α < overlap_limit. Throws std::invalid_argument for another α, and for α = 1 − 1.1e-16, whose 2 − α is 1.
+/// The collision at conversion degree α, ended by the first zero of the force (25) for 0 ≤ α < 1, or of the overlap
+/// (24) for 0 ≤ α < overlap_limit. Throws std::invalid_argument for another α, and for α = 1 − 1.1e-16, whose 2 − α is
+/// 1.
 /// Error: 1e-12 relative by force, and 1e-16/(1 − α) more, by which the rounding of 2 − α moves e_n; by overlap
 /// 1e-12 + 1e-15/e_n², as its zero nears a double one at overlap_limit. e_n ≤ 1, and 1 at α = 0.
 FractionalContact fractional_contact(double alpha, ContactEnd end = ContactEnd::force);
@@ -34,16 +35,16 @@ inline constexpr double overlap_limit = 0.40088479367698698;
 constexpr double least_restitution(ContactEnd end) noexcept { return end == ContactEnd::force ? 1e-15 : 1e-6; }
 
 /// The inverse α(e_n), e_n falling from 1 at α = 0 towards 0 at α = 1 (by force) or at overlap_limit (by overlap).
-/// Domain least_restitution(end) ≤ e_n ≤ 1; throws std::invalid_argument otherwise. Error: 1e-12 for 0.006 ≤ e_n ≤ 1, and
-/// of the e_n of that α the error of fractional_contact.
+/// Domain least_restitution(end) ≤ e_n ≤ 1; throws std::invalid_argument otherwise. Error: 1e-12 for 0.006 ≤ e_n ≤ 1,
+/// and of the e_n of that α the error of fractional_contact.
 double conversion_degree(double en, ContactEnd end = ContactEnd::force);
 
 /// Estimate (57) of the collision time [s], read as (1.641^{1−α} Γ(4−α)/A)^{1/(2−α)}: below the exact one.
 /// coefficient = A [s^{α−2}] > 0, 0 ≤ α < 1; throws std::invalid_argument otherwise.
 double tcol_estimate(double coefficient, double alpha);
 
-/// Closed-form motion of two bodies under c^α k^{1−α} D^α ζ from t_b on, never ended: also where e_n > 1 (α < 0) and where
-/// nothing rebounds (α ≥ 1). Immutable.
+/// Closed-form motion of two bodies under c^α k^{1−α} D^α ζ from t_b on, never ended: also where e_n > 1 (α < 0) and
+/// where nothing rebounds (α ≥ 1). Immutable.
 class FractionalTrajectory {
  public:
   /// coefficient = c^α k^{1−α} [kg s^{α−2}] > 0, mass_eff [kg] > 0, velocity v₀ [m/s] > 0, −1 ≤ α < 2.

@@ -28,8 +28,8 @@ class Hysteretic {
   void advance(Memory& m, Approach, Approach after, double) const noexcept {
     m.max_overlap = std::max(m.max_overlap, after.overlap);
   }
-  /// ½R²/k₂ for either sign of R: a spring k₂ about ζ₀, which first loading tightens and shifts. Unloading and reloading
-  /// only work that spring; loading stores the part k₁/k₂ of its work and burns the rest.
+  /// ½R²/k₂ for either sign of R: a spring k₂ about ζ₀, which first loading tightens and shifts. Unloading and
+  /// reloading only work that spring; loading stores the part k₁/k₂ of its work and burns the rest.
   double stored_energy(Approach a, const Memory& m) const noexcept {
     const double f = force(a, m);
     return 0.5 * f * f / k2_;

@@ -28,12 +28,16 @@ struct NoMemory {
 template <class Law>
 concept ContactLaw = std::copyable<Law> && std::copyable<typename Law::Memory> &&
     requires(const Law& law, typename Law::Memory& memory, const typename Law::Memory& past, Approach a, double dt) {
-      { Law::name } -> std::convertible_to<std::string_view>;
-      { law.force(a, past) } noexcept -> std::same_as<double>;
-      { law.advance(memory, a, a, dt) } noexcept -> std::same_as<void>;
-      { law.stored_energy(a, past) } noexcept -> std::same_as<double>;
-      { law.dissipated_power(a, past) } noexcept -> std::same_as<double>;
-    };
+  { Law::name } -> std::convertible_to<std::string_view>;
+  { law.force(a, past) }
+  noexcept->std::same_as<double>;
+  { law.advance(memory, a, a, dt) }
+  noexcept->std::same_as<void>;
+  { law.stored_energy(a, past) }
+  noexcept->std::same_as<double>;
+  { law.dissipated_power(a, past) }
+  noexcept->std::same_as<double>;
+};
 
 /// R = max(0, force) for ζ > 0, else 0 [N]: all laws of the model are repulsive only.
 template <ContactLaw Law>

@@ -26,8 +26,8 @@ struct PeerDamping {
 std::span<const PeerDamping> peer_dampings();
 
 /// α(e) of J. S. Marshall, J. Comput. Phys. 228, 1541 (2009), Eq. (53): c = α√(mk) for Tsuji's law with the particle's
-/// mass m, a fit of degree 6 to the curve drawn by Tsuji, Tanaka and Ishida (1992). Falls from 1.2728 at e = 0 to 0.0003
-/// at e = 1.
+/// mass m, a fit of degree 6 to the curve drawn by Tsuji, Tanaka and Ishida (1992). Falls from 1.2728 at e = 0 to
+/// 0.0003 at e = 1.
 double marshall_polynomial(double en);
 
 /// γ(e) of C. Thornton, S. J. Cummins and P. W. Cleary, Powder Technol. 233, 30 (2013), Eqs. (B6), (B7), Table 2:

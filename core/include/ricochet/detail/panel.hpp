@@ -36,8 +36,8 @@ class Panel {
   }
 
   template <class F>
-    requires std::is_invocable_r_v<double, const F&, double>
-  Panel(const F& f, double low, double high) : Panel(sample(f, low, high), low, high) {}
+  requires std::is_invocable_r_v<double, const F&, double> Panel(const F& f, double low, double high)
+      : Panel(sample(f, low, high), low, high) {}
 
   double operator()(double x) const noexcept {
     const double t = (x - centre_) * scale_, t2 = t * t, t4 = t2 * t2, t8 = t4 * t4;

@@ -51,8 +51,8 @@ inline constexpr std::size_t max_kernel_arms = 64;
 
 /// Builds the kernel for 0 ≤ alpha ≤ 1, steps ≥ shortest [s] and contacts ≤ longest [s], with the fewest arms that
 /// hold the relative error `tolerance` on [shortest, longest] together with the two moments above.
-/// Domain: 1e-200 ≤ shortest ≤ 1e200, shortest ≤ longest ≤ 1e6·shortest, 1e-12 ≤ tolerance ≤ 0.1. Throws std::invalid_argument otherwise.
-/// α = 0 (spring 1) and α = 1 (dashpot 1) are exact and need no arm.
+/// Domain: 1e-200 ≤ shortest ≤ 1e200, shortest ≤ longest ≤ 1e6·shortest, 1e-12 ≤ tolerance ≤ 0.1. Throws
+/// std::invalid_argument otherwise. α = 0 (spring 1) and α = 1 (dashpot 1) are exact and need no arm.
 ///
 /// Method: t^{−α} is completely monotone, so by the theory of Chebyshev systems (Karlin & Studden 1966) exactly one
 /// positive sum of n exponentials and a constant meets it at 2n given points and shares its first moment on (0, δ): a

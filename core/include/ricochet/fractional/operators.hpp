@@ -37,12 +37,12 @@ class ConvolutionRule {
   std::vector<double> weights_, first_, second_;
 };
 
-// The rules. Orders are of the error at a fixed time t > 0 as h → 0, for functions as smooth as the contact's own motion
-// (ζ' = v₀ + O(t^{2−α}), analytic in t^{2−α}); docs/theory/orders.md derives them. All throw std::invalid_argument unless
-// 0 < alpha < 1 (0 < beta ≤ 10), step > 0; `steps` is N.
+// The rules. Orders are of the error at a fixed time t > 0 as h → 0, for functions as smooth as the contact's own
+// motion (ζ' = v₀ + O(t^{2−α}), analytic in t^{2−α}); docs/theory/orders.md derives them. All throw
+// std::invalid_argument unless 0 < alpha < 1 (0 < beta ≤ 10), step > 0; `steps` is N.
 
-/// (59) as written, from samples of the rate: D^α f = 1/Γ(2−α) [f'_0 t^{1−α} + Σ (f'_l − f'_{l−1})(t−t_l)^{1−α}]: the rate
-/// is held at its left value over each step. Order 1 (exact for f = t).
+/// (59) as written, from samples of the rate: D^α f = 1/Γ(2−α) [f'_0 t^{1−α} + Σ (f'_l − f'_{l−1})(t−t_l)^{1−α}]: the
+/// rate is held at its left value over each step. Order 1 (exact for f = t).
 ConvolutionRule rectangle_derivative(double alpha, double step, std::size_t steps);
 
 /// (60) as written, from samples of f: I^β f = 1/Γ(β+1) [f_0 t^β + Σ (f_l − f_{l−1})(t−t_l)^β]. Order 1 (exact for
@@ -56,7 +56,8 @@ ConvolutionRule l1_derivative(double alpha, double step, std::size_t steps);
 /// to each step's end, linear over the first step. Order 3−α (exact for f = t).
 ConvolutionRule l12_derivative(double alpha, double step, std::size_t steps);
 
-/// Product trapezoid for the derivative, from samples of the rate: rate linear over each step. Order 2 (exact for t, t²).
+/// Product trapezoid for the derivative, from samples of the rate: rate linear over each step. Order 2 (exact for t,
+/// t²).
 ConvolutionRule trapezoid_derivative(double alpha, double step, std::size_t steps);
 
 /// Product trapezoid for the integral of order β, from samples of f: f linear over each step. Order 2 (exact for 1, t).

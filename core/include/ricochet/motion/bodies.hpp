@@ -60,14 +60,14 @@ struct ClusterSetup {
 /// Masses and speed of the stiffest meeting of a setup.
 struct StiffestContact {
   std::size_t i = 0, j = 0;  ///< bodies; walls count from spheres.size()
-  double tcol = 0;           ///< about how long it lasts, the time that a step has to resolve [s]; 0 if nothing can meet
+  double tcol = 0;  ///< about how long it lasts, the time that a step has to resolve [s]; 0 if nothing can meet
 };
 
 /// The pair whose binary collision lasts shortest, over all pairs of spheres and walls (grouped by size and material,
 /// so linear in their number while these are few). Impact velocity: the fastest that two bodies of the setup approach
-/// each other, gravity having acted over the greatest radius. Durations: (57) for the fractional law, for the others that
-/// without damping, or ten damping times m/c where these are shorter (in the Hertzian laws cζ^p for c, at a ζ that neither
-/// spring nor dashpot would let pass): an overdamped contact is over long before its spring has swung.
+/// each other, gravity having acted over the greatest radius. Durations: (57) for the fractional law, for the others
+/// that without damping, or ten damping times m/c where these are shorter (in the Hertzian laws cζ^p for c, at a ζ that
+/// neither spring nor dashpot would let pass): an overdamped contact is over long before its spring has swung.
 StiffestContact stiffest_contact(const ClusterSetup& setup);
 
 /// Throws std::invalid_argument naming what is wrong: a radius, density or number that is not finite or not positive, a

@@ -11,14 +11,15 @@
 namespace ricochet {
 
 struct ClusterOptions {
-  double step = 0;               ///< Δt [s], > 0
-  double skin = 0;               ///< of the neighbour list [m]; 0: a third of the smallest radius
-  /// T of the memory kernels of fractional laws [s], at most 5·10⁵ steps with one; 0: 10⁴ steps. In a contact that lasts longer, what
-  /// is older than T ceases to fade: the kernel is off by at most 5 % at 2T, then levels off at 0.4 (α → 1) to 0.96
-  /// (α = 0.03) of its value at T.
+  double step = 0;  ///< Δt [s], > 0
+  double skin = 0;  ///< of the neighbour list [m]; 0: a third of the smallest radius
+  /// T of the memory kernels of fractional laws [s], at most 5·10⁵ steps with one; 0: 10⁴ steps. In a contact that
+  /// lasts longer, what is older than T ceases to fade: the kernel is off by at most 5 % at 2T, then levels off at 0.4
+  /// (α → 1) to 0.96 (α = 0.03) of its value at T.
   double longest_contact = 0;
-  /// Relative error of these kernels, in [1e-12, 0.1]. Wanted, not promised: a contact carries FractionalArms::max_arms arms, and
-  /// where they do not suffice for T the tolerance gives way tenfold until they do. `Cluster::kernel_error` tells.
+  /// Relative error of these kernels, in [1e-12, 0.1]. Wanted, not promised: a contact carries FractionalArms::max_arms
+  /// arms, and where they do not suffice for T the tolerance gives way tenfold until they do. `Cluster::kernel_error`
+  /// tells.
   double kernel_tolerance = 1e-8;
   Reclosing reclosing = Reclosing::repels;
   double solver_tolerance = 1e-10;  ///< on impulses, relative to the greatest of the step; 1e-6 serves in packings
@@ -41,7 +42,7 @@ struct ClusterState {
   std::vector<ContactState> contacts;
   double lost_normal = 0, lost_friction = 0, long_range_work = 0;
   std::uint64_t unconverged = 0;  ///< steps that ended at max_sweeps
-  double worst_change = 0;        ///< of their last sweeps' greatest changes, relative to the greatest impulse of the step
+  double worst_change = 0;  ///< of their last sweeps' greatest changes, relative to the greatest impulse of the step
 };
 
 /// Spheres and walls in motion: any normal law for each pair of materials, friction with torsion and rolling
@@ -111,8 +112,8 @@ class Cluster {
   struct Row {
     ContactGeometry geometry;
     SlipMobility mobility;
-    double mobility_normal = 0;  // 1/m_i + 1/m_j
-    double rate_before = 0;      // ζ' at the start of the step
+    double mobility_normal = 0;                        // 1/m_i + 1/m_j
+    double rate_before = 0;                            // ζ' at the start of the step
     double rate_guess = 0, force_guess = 0, gain = 0;  // R(ζ') = force_guess + gain·(ζ' − rate_guess)
     double fixed_impulse = 0, duration = 0;            // duration 0: the impulse is fixed
     double fixed_loss = 0;
@@ -153,8 +154,8 @@ class Cluster {
   ClusterOptions options_;
   Vec3 gravity_;
   LongRangeForce long_range_;
-  std::vector<double> radii_, masses_, inertias_;           // of spheres
-  std::vector<double> inverse_mass_, inverse_inertia_;      // of bodies: spheres, then walls (0)
+  std::vector<double> radii_, masses_, inertias_;       // of spheres
+  std::vector<double> inverse_mass_, inverse_inertia_;  // of bodies: spheres, then walls (0)
   std::vector<PlaneWall> walls_;
   std::vector<std::size_t> materials_;  // of bodies
   std::size_t material_count_ = 0;

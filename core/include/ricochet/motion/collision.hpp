@@ -22,8 +22,8 @@ enum class CollideMethod {
 struct CollideOptions {
   ContactEnd end = ContactEnd::force;
   CollideMethod method = CollideMethod::automatic;
-  /// Force evaluations the numerical path may spend. Not of the fractional law, whose collocation takes no more than five
-  /// linear systems of 32 to 120 nodes.
+  /// Force evaluations the numerical path may spend. Not of the fractional law, whose collocation takes no more than
+  /// five linear systems of 32 to 120 nodes.
   std::size_t max_evaluations = 1'000'000;
 };
 
@@ -62,18 +62,19 @@ struct Collision {
 /// full accuracy across D = 1. Hysteretic: two quarters of a sine. Fractional: Eqs. (47)–(56) for 0 ≤ α
 /// (contact/fractional_contact.hpp); −1 ≤ α < 0, which gains energy, is left to the numerical path.
 ///
-/// An overdamped overlap (damping ratio ≥ 1 of the linear law, and of Tsuji's in ζ^{5/4}) never returns to zero, which the
-/// ratio decides on every path.
+/// An overdamped overlap (damping ratio ≥ 1 of the linear law, and of Tsuji's in ζ^{5/4}) never returns to zero, which
+/// the ratio decides on every path.
 ///
 /// Numerical path. Time is replaced by the variable in which the damped power laws are polynomial (see
-/// core/src/motion/damped_power.hpp), so the start and the end, where ζ^{1/2} and ζ^{1/4} are not smooth, cost no order;
-/// Runge-Kutta-Fehlberg 7(8) with error control, every event located by redoing the step it lies in. The fractional law
-/// is solved by collocation instead (contact/fractional_collocation.hpp; evaluations counts its nodes). Strong damping is
-/// followed in the force instead of the velocity, the unloading of the hysteretic law in ζ − ζ₀: neither loses digits.
-/// Kuwabara and Kono's overlap always returns, but slowly under strong damping: past γ = 300 the budget may be spent first,
-/// or, with e_n < 1e-12, the end count as no_separation.
+/// core/src/motion/damped_power.hpp), so the start and the end, where ζ^{1/2} and ζ^{1/4} are not smooth, cost no
+/// order; Runge-Kutta-Fehlberg 7(8) with error control, every event located by redoing the step it lies in. The
+/// fractional law is solved by collocation instead (contact/fractional_collocation.hpp; evaluations counts its nodes).
+/// Strong damping is followed in the force instead of the velocity, the unloading of the hysteretic law in ζ − ζ₀:
+/// neither loses digits. Kuwabara and Kono's overlap always returns, but slowly under strong damping: past γ = 300 the
+/// budget may be spent first, or, with e_n < 1e-12, the end count as no_separation.
 ///
-/// Relative error of tcol and en, L = |ln e_n|: 1e-11, and more only where the problem itself or its rounding asks for it:
+/// Relative error of tcol and en, L = |ln e_n|: 1e-11, and more only where the problem itself or its rounding asks for
+/// it:
 ///   linear by overlap             1e-16 L³    both paths: the rounding of a damping ratio close to 1
 ///   Tsuji by overlap              1e-15 L³    the same
 ///   fractional, by overlap        1e-15/e_n²  both paths

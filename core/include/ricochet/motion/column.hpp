@@ -35,18 +35,19 @@ struct ColumnOptions {
   /// Approach, relative to the greatest initial speed, that is left uncounted: a long column ends in a slow trickle of
   /// collisions that take thousands of times as long as the impact and change E/E0 by less than its square.
   double negligible_approach = 1e-9;
-  double shortest_memory = 0;    ///< fractional law: δ of its MemoryKernel [s] ≥ 0; 0: step
-  double longest_memory = 0;     ///< its T [s] ≥ 0, at most 1e6 δ; 0: duration, but at most 1e5 δ
+  double shortest_memory = 0;      ///< fractional law: δ of its MemoryKernel [s] ≥ 0; 0: step
+  double longest_memory = 0;       ///< its T [s] ≥ 0, at most 1e6 δ; 0: duration, but at most 1e5 δ
   double memory_tolerance = 1e-6;  ///< relative error of its kernel on [δ, T], in [1e-12, 0.1]; see FractionalArms
 };
 
 /// How a run ended. "Approach" means by more than `negligible_approach` of the greatest initial speed.
 enum class ColumnEnd {
-  separated,   ///< no force acts, no neighbours approach: every contact is over
-  resting,     ///< the same, but some bodies that still overlap do not move apart (static contact)
-  out_of_time, ///< `duration` was reached before either; always so under gravity
-  broke_down   ///< a velocity or overlap is no longer finite, or the beads ended with more kinetic energy than they had by
-               ///< over a tenth, which no law of the model can give: a smaller step is needed. Only `steps` is then filled in
+  separated,    ///< no force acts, no neighbours approach: every contact is over
+  resting,      ///< the same, but some bodies that still overlap do not move apart (static contact)
+  out_of_time,  ///< `duration` was reached before either; always so under gravity
+  broke_down  ///< a velocity or overlap is no longer finite, or the beads ended with more kinetic energy than they had
+              ///< by
+  ///< over a tenth, which no law of the model can give: a smaller step is needed. Only `steps` is then filled in
 };
 
 /// Kinetic + stored + dissipated + potential [J] is constant up to the scheme's order. What a contact still stores
@@ -67,11 +68,12 @@ struct ColumnResult {
   ColumnEnergy energy;           ///< stored and dissipated only with `ColumnOptions::energy`
 };
 
-/// The largest step that the scheme bears [s]: h·g(h)·Σ ≤ 1/2 in every contact, with g the rise of the step's mean force
-/// with the rate (kh/2 + c; fractional: c^α k^{1−α} h^{1−α}/Γ(3−α)) and Σ the inverse masses that its force and its
-/// neighbours' act through. Where g depends on the overlap (Kuwabara-Kono, Tsuji) it is taken at the greatest one of a
-/// binary collision at the greatest speed that the initial velocities let two bodies meet with. A single bead on a spring:
-/// t_col/π. Throws std::invalid_argument for a Column that `run_column` refuses. Derivation: docs/theory/column.md.
+/// The largest step that the scheme bears [s]: h·g(h)·Σ ≤ 1/2 in every contact, with g the rise of the step's mean
+/// force with the rate (kh/2 + c; fractional: c^α k^{1−α} h^{1−α}/Γ(3−α)) and Σ the inverse masses that its force and
+/// its neighbours' act through. Where g depends on the overlap (Kuwabara-Kono, Tsuji) it is taken at the greatest one
+/// of a binary collision at the greatest speed that the initial velocities let two bodies meet with. A single bead on a
+/// spring: t_col/π. Throws std::invalid_argument for a Column that `run_column` refuses. Derivation:
+/// docs/theory/column.md.
 double largest_step(const Column& column, const AnyLaw& plate, const AnyLaw& pair);
 
 /// Runs a column until all contacts are over, every pair with the law `pair` and the plate's contact with `plate`; both

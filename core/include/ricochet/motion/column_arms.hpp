@@ -7,8 +7,8 @@
 
 namespace ricochet::detail {
 
-/// The arms of all contacts side by side, as many doubles a contact as there are arms (rounded up to whole lanes), stepped
-/// by ArmsBlock.
+/// The arms of all contacts side by side, as many doubles a contact as there are arms (rounded up to whole lanes),
+/// stepped by ArmsBlock.
 template <>
 class ColumnMemory<FractionalArms> {
  public:
@@ -47,7 +47,8 @@ class ColumnMemory<FractionalArms> {
     return mean_force(law(j), overlap, rate, memory(j), dt);
   }
 
-  /// Whole steps of the neighbouring contacts first … last − 1, which follow one law, from overlaps `before` to `after`.
+  /// Whole steps of the neighbouring contacts first … last − 1, which follow one law, from overlaps `before` to
+  /// `after`.
   void advance_steps(std::size_t first, std::size_t last, const double* before, const double* after) noexcept {
     blocks_[kind_[first]].advance(last - first, arms_of(first), before + first, after + first, &held_[first]);
   }

@@ -85,11 +85,11 @@ class ColumnEngine {
   std::array<Law, 2> laws_;
   std::vector<std::uint32_t> kind_;
   detail::ColumnMemory<Law> memory_;
-  std::vector<double> mass_, inverse_mass_, velocity_, old_velocity_;      // of bodies
-  std::vector<double> overlap_, old_overlap_;                              // of contacts
+  std::vector<double> mass_, inverse_mass_, velocity_, old_velocity_;  // of bodies
+  std::vector<double> overlap_, old_overlap_;                          // of contacts
   std::vector<double> mean_, old_mean_;  // the law's signed mean force over its active part of this step, of the last
   std::vector<double> guess_, next_guess_;  // the mean force to expect in this step, in the next: extrapolated linearly
-  std::vector<double> applied_;          // impulse over the step divided by its length [N]
+  std::vector<double> applied_;             // impulse over the step divided by its length [N]
   std::vector<double> moment_;  // of an event: first moment of the impulse beyond that of one spread evenly [N s²]
   std::vector<double> begin_;   // t_b [s]
   std::vector<double> stored_;  // with the energy balance
@@ -102,16 +102,21 @@ class ColumnEngine {
 
 template <ContactLaw Law>
 ColumnEngine<Law>::ColumnEngine(const Column& column, const Law& plate, const Law& pair, const ColumnOptions& options)
-    : beads_(column.mass.size()), step_(options.step), gravity_(column.gravity),
-      repulsive_(options.end == ContactEnd::force), silent_(repulsive_ && options.reclosing == Reclosing::silent),
-      energy_(options.energy), laws_{plate, pair}, kind_(beads_ + 2, 1), memory_(laws_, kind_, options.step) {
+    : beads_(column.mass.size()),
+      step_(options.step),
+      gravity_(column.gravity),
+      repulsive_(options.end == ContactEnd::force),
+      silent_(repulsive_ && options.reclosing == Reclosing::silent),
+      energy_(options.energy),
+      laws_{plate, pair},
+      kind_(beads_ + 2, 1),
+      memory_(laws_, kind_, options.step) {
   detail::check(column);
   detail::require_positive("step", step_);
   detail::require_positive("negligible_approach", options.negligible_approach);
   kind_[0] = kind_[1] = 0;
-  for (auto* array : {&mass_, &inverse_mass_, &velocity_, &old_velocity_, &overlap_, &old_overlap_, &mean_, &old_mean_, &guess_,
-                      &next_guess_,
-                      &applied_, &moment_, &begin_, &stored_})
+  for (auto* array : {&mass_, &inverse_mass_, &velocity_, &old_velocity_, &overlap_, &old_overlap_, &mean_, &old_mean_,
+                      &guess_, &next_guess_, &applied_, &moment_, &begin_, &stored_})
     array->assign(beads_ + 2, 0.0);
   for (auto* array : {&state_, &pressing_, &by_difference_}) array->assign(beads_ + 2, 0);
   event_of_.assign(beads_ + 2, 0);
@@ -360,7 +365,8 @@ void ColumnEngine<Law>::skip_free_flight() noexcept {
 template <ContactLaw Law>
 bool ColumnEngine<Law>::finished() const noexcept {
   if (gravity_ > 0) return false;
-  // A memory of arms may turn repulsive again while the pair still overlaps; the other laws cannot at a falling overlap.
+  // A memory of arms may turn repulsive again while the pair still overlaps; the other laws cannot at a falling
+  // overlap.
   constexpr bool may_wake = detail::ColumnMemory<Law>::may_wake;
   for (std::size_t j = 1; j <= beads_; ++j) {
     if (!(rate(j) <= negligible_rate_)) return false;
@@ -391,8 +397,8 @@ double ColumnEngine<Law>::stored(std::size_t j) const noexcept {
   const auto memory = memory_.memory(j);
   const double held = law.stored_energy(at, memory);
   if (!repulsive_ || (pressing_[j] && law.force(at, memory) > 0)) return held;
-  // Bodies that part under a force held at zero would stretch the springs of a law without doing work on them: no more is
-  // stored than was and than the impulse has put in.
+  // Bodies that part under a force held at zero would stretch the springs of a law without doing work on them: no more
+  // is stored than was and than the impulse has put in.
   return std::clamp(stored_[j] + applied_[j] * (overlap_[j] - old_overlap_[j]), 0.0, held);
 }
 
@@ -410,7 +416,8 @@ void ColumnEngine<Law>::account_before() noexcept {
       dissipated_ += applied_[j] * part * path + stored_[j];
     } else if (state_[j] == touching) {
       // Gauss's three points: right after a start the power of some laws grows like a root.
-      constexpr std::array<double, 3> point{0.1127016653792583, 0.5, 0.8872983346207417}, weight{5. / 18, 8. / 18, 5. / 18};
+      constexpr std::array<double, 3> point{0.1127016653792583, 0.5, 0.8872983346207417},
+          weight{5. / 18, 8. / 18, 5. / 18};
       const Law& law = memory_.law(j);
       for (int p = 0; p < 3; ++p) {
         auto then = memory_.memory(j);

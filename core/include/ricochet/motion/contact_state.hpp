@@ -32,8 +32,8 @@ struct Encounter {
 
   std::uint32_t i = 0, j = 0;  ///< bodies; walls count from the number of spheres
   double begin = 0;            ///< t_b [s]
-  double end = never;          ///< t_e [s]: first zero of the force (25), else of the overlap (24); t_col = end − begin
-  double separation = never;   ///< where the overlap returned to zero [s]; the pair forgets its memory there
+  double end = never;  ///< t_e [s]: first zero of the force (25), else of the overlap (24); t_col = end − begin
+  double separation = never;  ///< where the overlap returned to zero [s]; the pair forgets its memory there
   EncounterEnd how = EncounterEnd::open;
   std::array<double, phase_count> phase_begin{never, never, never, never, never, never};  ///< when first entered [s]
 
@@ -48,14 +48,14 @@ struct ContactState {
   Encounter record;
   std::uint32_t model = 0;  ///< which interaction
   LawMemory memory;
-  Approach approach;            ///< at the time of the memory
-  double force = 0;             ///< signed, then [N]
-  double lag = 0;               ///< from that time to the middle of the coming step [s]
-  bool fresh = true;            ///< before the contact's first step
-  double normal_impulse = 0;    ///< of the last step [N s]
-  FrictionImpulse friction;     ///< of the last step, from where the next one is sought
-  double stored = 0;            ///< elastic energy and memory at the end of the last step [J]
-  double speed_scale = 0;       ///< of the meeting [m/s]: a 10⁻⁹ of it counts as no motion
+  Approach approach;          ///< at the time of the memory
+  double force = 0;           ///< signed, then [N]
+  double lag = 0;             ///< from that time to the middle of the coming step [s]
+  bool fresh = true;          ///< before the contact's first step
+  double normal_impulse = 0;  ///< of the last step [N s]
+  FrictionImpulse friction;   ///< of the last step, from where the next one is sought
+  double stored = 0;          ///< elastic energy and memory at the end of the last step [J]
+  double speed_scale = 0;     ///< of the meeting [m/s]: a 10⁻⁹ of it counts as no motion
 };
 
 }  // namespace ricochet
