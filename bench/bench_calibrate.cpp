@@ -5,7 +5,7 @@
 #include <vector>
 
 using namespace ricochet;
-using namespace ricochet::calibration;
+using namespace ricochet::calibrate;
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include "workloads.hpp"
 
-#include <ricochet/motion/column_engine.hpp>
+#include <ricochet/motion/engine/column_engine.hpp>
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 #include "workloads.hpp"
 
 #include <benchmark/benchmark.h>
-#include <ricochet/contact/fractional_contact.hpp>
-#include <ricochet/contact/fractional_contact_table.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/collision/fractional_contact_table.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
 
 #include <vector>

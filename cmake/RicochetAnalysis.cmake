@@ -1,9 +1,9 @@
 # Targets for whoever changes the code: `tidy` (clang-tidy), `cppcheck`, `reference` (Doxygen).
 # Each appears only where its tool is installed.
 
-set(analysed core/src core/console calibrate verify simulate)
+set(analysed core/src console calibrate verify simulate)
 # clang-tidy takes some seconds a file: as parts of about the same work, which ctest runs side by side.
-set(tidy_parts core/src verify/studies calibrate/src calibrate/program core/console "simulate|verify/(src|main)"
+set(tidy_parts core/src verify/studies calibrate/src calibrate/program console "simulate|verify/(src|main)"
   "engines/liggghts/(half_step_contact|pair_law)\\.cpp")
 find_program(RUN_CLANG_TIDY run-clang-tidy)
 if(RUN_CLANG_TIDY AND CMAKE_EXPORT_COMPILE_COMMANDS)
@@ -17,7 +17,7 @@ find_program(CPPCHECK cppcheck)
 if(CPPCHECK)
   add_custom_target(cppcheck COMMAND ${CPPCHECK} --std=c++20 --language=c++ --quiet --error-exitcode=1
     -j 2 --enable=warning,performance,portability --inline-suppr --suppressions-list=${PROJECT_SOURCE_DIR}/cmake/cppcheck.txt
-    -I core/include -I core/console/include -I verify/include -I ${PROJECT_BINARY_DIR}/core/include ${analysed}
+    -I core/include -I console/include -I verify/include -I ${PROJECT_BINARY_DIR}/core/include ${analysed}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} USES_TERMINAL VERBATIM)
 endif()
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 namespace {
 
 using console::Table;
@@ -168,4 +168,4 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
           finding_of(fits)};
 }
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

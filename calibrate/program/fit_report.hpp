@@ -4,10 +4,10 @@
 
 #include <console/exit.hpp>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 
 /// `calibrate --fit FILE`: each law fitted to measured restitution (and collision times), with what the data do not
 /// tell.
 console::Exit run_fit(const Options& options);
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

@@ -2,7 +2,7 @@
 
 #include <console/json.hpp>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 namespace {
 
 using console::Json;
@@ -75,4 +75,4 @@ std::string json_of(const Report& report) {
   return console::document(out);
 }
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

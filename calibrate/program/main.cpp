@@ -11,7 +11,7 @@
 #include <optional>
 
 using namespace ricochet;
-using namespace ricochet::calibration;
+using namespace ricochet::calibrate;
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <array>
 #include <utility>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 namespace {
 
 using console::BadInput;
@@ -109,4 +109,4 @@ class Reader {
 
 std::vector<Measurement> read_measurements(const std::string& path) { return Reader(path).read(); }
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

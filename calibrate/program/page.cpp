@@ -6,14 +6,14 @@
 #include <console/number.hpp>
 #include <console/panels.hpp>
 
-#include <ricochet/contact/fractional_contact.hpp>
-#include <ricochet/motion/trace.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/collision/trace.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 namespace {
 
 using console::escaped;
@@ -198,4 +198,4 @@ std::string page_of(const Report& report) {
   return console::html_page("Contact laws for " + target_text(target), body);
 }
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 
 /// A law whose computation failed.
 struct Failure {
@@ -46,4 +46,4 @@ std::string page_of(const Report& report);
 
 std::string render(const Report& report, console::Format format);
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

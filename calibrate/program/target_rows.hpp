@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 
 /// One block of rows, answered.
 struct Answers {
@@ -66,4 +66,4 @@ class TargetRows {
   const DirectCalibrator& calibrator_;
 };
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

@@ -10,7 +10,7 @@
 #include <exception>
 #include <thread>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 namespace {
 
 using console::BadInput;
@@ -106,4 +106,4 @@ console::Exit run_targets(const Options& options) {
   return complaints.finish() ? console::Exit::gate_failed : console::Exit::done;
 }
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

@@ -1,8 +1,8 @@
 #include "reach.hpp"
 #include "solution.hpp"
 
-#include <ricochet/contact/fractional_contact.hpp>
-#include <ricochet/detail/require.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 #include <locale>
 #include <sstream>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 namespace {
 
-using detail::require;
+using support::require;
 
 void require_ordinary(const char* name, double value) {
   require(value >= least_scale && value <= greatest_scale, name, value, range_of_scales);
@@ -194,4 +194,4 @@ Outcome calibrate(const Request& request, const Settings& settings) {
   return out;
 }
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

@@ -1,7 +1,7 @@
 #include "fit_findings.hpp"
 #include "fit_model.hpp"
 
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <boost/math/special_functions/gamma.hpp>
 #include <nlopt.hpp>
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 namespace {
 
 using Eigen::Index;
@@ -240,7 +240,7 @@ Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data) {
 }
 
 Prediction predict(const Fit& fit, double velocity) {
-  detail::require_positive("velocity", velocity);
+  support::require_positive("velocity", velocity);
   const bool with_times = fit.observations > fit.predictions.size();
   const VectorXd u = Eigen::Map<const VectorXd>(fit.solution.data(), static_cast<Index>(fit.solution.size()));
   Prediction p = fit_model(fit.request, with_times)->predict(u, velocity);
@@ -248,4 +248,4 @@ Prediction predict(const Fit& fit, double velocity) {
   return p;
 }
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

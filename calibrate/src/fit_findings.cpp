@@ -1,12 +1,12 @@
 #include "fit_findings.hpp"
 
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 namespace {
 
 using Eigen::Index;
@@ -16,8 +16,8 @@ using Eigen::VectorXd;
 constexpr double widest = 1e30;
 
 void require_scale(const char* name, double value) {
-  detail::require_positive(name, value);
-  detail::require(value >= 1 / widest && value <= widest, name, value, "in [1e-30, 1e30]");
+  support::require_positive(name, value);
+  support::require(value >= 1 / widest && value <= widest, name, value, "in [1e-30, 1e30]");
 }
 
 /// Restitutions and times.
@@ -50,8 +50,8 @@ bool constant_restitution(const FitRequest& request) {
 }  // namespace
 
 void require_fit(const FitRequest& request, const std::vector<Measurement>& data) {
-  using detail::require;
-  detail::require_positive("mass_eff", request.mass_eff);
+  using support::require;
+  support::require_positive("mass_eff", request.mass_eff);
   if (!offers(request.law, request.end))
     throw std::invalid_argument("end = " + std::string(text(request.end)) + ": must be force for the law " +
                                 std::string(text(request.law)));
@@ -107,4 +107,4 @@ std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>
   return said;
 }
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

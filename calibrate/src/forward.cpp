@@ -2,14 +2,14 @@
 
 #include "solution.hpp"
 
-#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 
-using detail::Panel;
+using support::Panel;
 
 namespace {
 
@@ -74,4 +74,4 @@ Reduced ForwardFractional::operator()(double alpha) const {
   return {panel.en(x), panel.tau(x)};
 }
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <calibrate/calibration.hpp>
-#include <ricochet/detail/panel.hpp>
+#include <ricochet/support/panel.hpp>
 
 #include <array>
 #include <vector>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 
 /// e_n and the scaled collision time as functions of a law's dimensionless group.
 struct Reduced {
@@ -25,7 +25,7 @@ class ForwardDamped {
   static constexpr double low = -9, width = 0.5;
   static constexpr std::size_t count = 22;
   struct Pair {
-    detail::Panel en, tcol;
+    support::Panel en, tcol;
   };
   LawName law_;
   ContactEnd end_;
@@ -47,9 +47,9 @@ class ForwardFractional {
   ContactEnd end_;
   std::vector<double> edges_;  // of the panels, rising
   struct Pair {
-    detail::Panel en, tau;
+    support::Panel en, tau;
   };
   std::vector<Pair> panels_;
 };
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 namespace {
 
-using detail::Panel;
+using support::Panel;
 
 /// A point of the reduction: the group g = ln c at k = m = v₀ = 1, and the collision that it gives.
 struct Point {
@@ -86,4 +86,4 @@ ReductionTable::ReductionTable(LawName law, ContactEnd end)
   }
 }
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

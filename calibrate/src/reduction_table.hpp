@@ -1,12 +1,12 @@
 #pragma once
 
 #include <calibrate/calibration.hpp>
-#include <ricochet/detail/panel.hpp>
+#include <ricochet/support/panel.hpp>
 
 #include <cmath>
 #include <vector>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 
 /// A damped power law's k and c in the units of the target (m = v₀ = t_col = 1) as functions of the loss λ = −ln e_n.
 /// Where a Hertzian contact ends by force, at an overlap like λ (Kuwabara-Kono) or λ^{4/5} (Tsuji), fractional powers
@@ -26,7 +26,7 @@ class ReductionTable {
 
  private:
   struct Pair {
-    detail::Panel k, c_over_loss;
+    support::Panel k, c_over_loss;
   };
 
   static constexpr int octaves = 13;
@@ -43,4 +43,4 @@ class ReductionTable {
   std::vector<Pair> panels_;
 };
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

@@ -1,6 +1,6 @@
 #include "half_step_contact.hpp"
 
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
 
 #include <algorithm>
@@ -12,14 +12,14 @@ namespace {
 
 // The arms must fit the history's fixed slots: of the tolerances tried, the sharpest that does is taken.
 MemoryKernel fitting_kernel(double alpha, double dt, double memory) {
-  detail::require(alpha >= 0 && alpha < 1, "alpha", alpha, "0 <= alpha < 1 (a contact that ends)");
-  detail::require_positive("dt", dt);
-  detail::require(std::isfinite(memory) && memory >= dt, "memory", memory, "at least one time step");
+  support::require(alpha >= 0 && alpha < 1, "alpha", alpha, "0 <= alpha < 1 (a contact that ends)");
+  support::require_positive("dt", dt);
+  support::require(std::isfinite(memory) && memory >= dt, "memory", memory, "at least one time step");
   for (double tolerance : {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
     MemoryKernel kernel = memory_kernel(alpha, dt, memory, tolerance);
     if (kernel.arms().size() <= HalfStepContact::arm_slots) return kernel;
   }
-  detail::reject("memory/dt", memory / dt, "short enough for 12 arms");
+  support::reject("memory/dt", memory / dt, "short enough for 12 arms");
 }
 
 }  // namespace

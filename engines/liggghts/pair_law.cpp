@@ -1,7 +1,7 @@
 #include "pair_law.hpp"
 
-#include <ricochet/contact/fractional_contact.hpp>
-#include <ricochet/detail/require.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -18,8 +18,8 @@ PairLaw::PairLaw(const HalfStepContact& contact) : contact_(contact) {
 }
 
 PairLaw PairLaw::from_target(double tcol, double en, const ContactFor& contact_for) {
-  detail::require_positive("collisionTime", tcol);
-  detail::require(en > 0 && en <= 1, "coefficientRestitution", en, "0 < en <= 1");
+  support::require_positive("collisionTime", tcol);
+  support::require(en > 0 && en <= 1, "coefficientRestitution", en, "0 < en <= 1");
   PairLaw law(contact_for(conversion_degree(en)));
   law.tcol_ = tcol;
   law.per_mass_ = law.z_star_ / std::pow(tcol, 2 - law.contact_.alpha());

@@ -5,7 +5,7 @@
 #include <cmath>
 
 using namespace ricochet;
-using namespace ricochet::calibration;
+using namespace ricochet::calibrate;
 
 namespace {
 

@@ -1,13 +1,13 @@
 #include <calibrate/calibration.hpp>
 #include <catch2/catch.hpp>
-#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
 
 #include <cmath>
 #include <map>
 #include <numbers>
 
 using namespace ricochet;
-using namespace ricochet::calibration;
+using namespace ricochet::calibrate;
 
 namespace {
 

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include <calibrate/export.hpp>
-#include <ricochet/contact/damping_ratio.hpp>
-#include <ricochet/contact/peer_damping.hpp>
+#include <ricochet/collision/damping_ratio.hpp>
+#include <ricochet/collision/peer_damping.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <sstream>
 
 using namespace ricochet;
-using namespace ricochet::calibration;
+using namespace ricochet::calibrate;
 
 namespace {
 

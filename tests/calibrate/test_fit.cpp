@@ -1,14 +1,14 @@
 #include <calibrate/fit.hpp>
 #include <catch2/catch.hpp>
-#include <ricochet/contact/damping_ratio.hpp>
-#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/collision/damping_ratio.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 using namespace ricochet;
-using namespace ricochet::calibration;
+using namespace ricochet::calibrate;
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <console/output.hpp>
 #include <console/program.hpp>
 
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 #include <ricochet/version.hpp>
 
 #include <fcntl.h>
@@ -51,8 +51,8 @@ Ran run(std::vector<const char*> arguments, const std::function<Exit()>& body = 
     add_number(app, "--mass-eff", mass_eff, "effective mass [kg]");
     arguments.insert(arguments.begin(), "try");
     const auto shown = [&] {
-      ricochet::detail::require(en > 0 && en <= 1, "en", en, "in (0, 1]");
-      if (mass_eff) ricochet::detail::require_positive("mass_eff", *mass_eff);
+      ricochet::support::require(en > 0 && en <= 1, "en", en, "in (0, 1]");
+      if (mass_eff) ricochet::support::require_positive("mass_eff", *mass_eff);
       Output answer(output.file);
       answer.write("en " + std::to_string(en) + " " + std::to_string(static_cast<int>(output.format)) + "\n");
       answer.commit();

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-using namespace ricochet::detail;
+using namespace ricochet::fractional;
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <cmath>
 
 using namespace ricochet;
-using namespace ricochet::calibration;
+using namespace ricochet::calibrate;
 
 namespace {
 

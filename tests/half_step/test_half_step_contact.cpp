@@ -1,6 +1,6 @@
 #include <half_step_contact.hpp>
 
-#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 #include <pair_law.hpp>
 
-#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/contact/linear.hpp>
-#include <ricochet/motion/collision.hpp>
+#include <ricochet/collision/collision.hpp>
 
 #include <catch2/catch.hpp>
 

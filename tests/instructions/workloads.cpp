@@ -7,7 +7,7 @@
 #include <calibrate/direct_calibrator.hpp>
 #include <ricochet/contact/arms_block.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
-#include <ricochet/motion/column_engine.hpp>
+#include <ricochet/motion/engine/column_engine.hpp>
 
 #include <valgrind/callgrind.h>
 
@@ -15,7 +15,7 @@
 #include <string>
 
 using namespace ricochet;
-using namespace ricochet::calibration;
+using namespace ricochet::calibrate;
 using workloads::PressedColumn;
 
 namespace {

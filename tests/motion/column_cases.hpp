@@ -1,6 +1,6 @@
 #pragma once
 
-#include <ricochet/motion/collision.hpp>
+#include <ricochet/collision/collision.hpp>
 #include <ricochet/motion/column.hpp>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "../../docs/examples/standard_solid.hpp"
 
-#include <ricochet/motion/column_engine.hpp>
+#include <ricochet/motion/engine/column_engine.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include <ricochet/motion/bodies.hpp>
 
-#include <ricochet/contact/fractional_contact.hpp>
-#include <ricochet/motion/collision.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/collision/collision.hpp>
 
 #include <catch2/catch.hpp>
 

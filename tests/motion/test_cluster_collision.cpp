@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
-#include <ricochet/contact/fractional_contact.hpp>
-#include <ricochet/motion/collision.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/collision/collision.hpp>
 
 #include "scenes.hpp"
 

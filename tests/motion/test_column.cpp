@@ -1,6 +1,6 @@
 #include "column_cases.hpp"
 
-#include <ricochet/motion/column_engine.hpp>
+#include <ricochet/motion/engine/column_engine.hpp>
 #include <ricochet/motion/event_driven_column.hpp>
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 #include <console/exit.hpp>
-#include <ricochet/motion/collision.hpp>
+#include <ricochet/collision/collision.hpp>
 #include <simulate/scene.hpp>
 
 #include <cmath>

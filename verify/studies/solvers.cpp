@@ -1,6 +1,6 @@
 #include "solvers.hpp"
 
-#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include "convergence.hpp"
 
-#include <ricochet/motion/fractional_solvers.hpp>
+#include <ricochet/collision/solvers/fractional_solvers.hpp>
 
 namespace ricochet::verify {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <ricochet/contact/any_law.hpp>
-#include <ricochet/motion/tuned_law.hpp>
+#include <ricochet/collision/tuned_law.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace ricochet::calibration {
+namespace ricochet::calibrate {
 
 using LawName = LawKind;
 
@@ -118,4 +118,4 @@ class NotConverged : public std::runtime_error {
 /// the law does not offer; NotConverged when the check contradicts the answer.
 Outcome calibrate(const Request& request, const Settings& settings = {});
 
-}  // namespace ricochet::calibration
+}  // namespace ricochet::calibrate

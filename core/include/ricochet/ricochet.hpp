@@ -1,13 +1,18 @@
 #pragma once
 
 // Every public header; a test compares this list with the folders.
+#include <ricochet/collision/collision.hpp>
+#include <ricochet/collision/damping_ratio.hpp>
+#include <ricochet/collision/fractional_collocation.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/collision/fractional_contact_table.hpp>
+#include <ricochet/collision/peer_damping.hpp>
+#include <ricochet/collision/solvers/fractional_solvers.hpp>
+#include <ricochet/collision/trace.hpp>
+#include <ricochet/collision/tuned_law.hpp>
 #include <ricochet/contact/any_law.hpp>
 #include <ricochet/contact/arms_block.hpp>
-#include <ricochet/contact/damping_ratio.hpp>
 #include <ricochet/contact/fractional.hpp>
-#include <ricochet/contact/fractional_collocation.hpp>
-#include <ricochet/contact/fractional_contact.hpp>
-#include <ricochet/contact/fractional_contact_table.hpp>
 #include <ricochet/contact/friction.hpp>
 #include <ricochet/contact/geometry.hpp>
 #include <ricochet/contact/hysteretic.hpp>
@@ -15,7 +20,6 @@
 #include <ricochet/contact/law.hpp>
 #include <ricochet/contact/linear.hpp>
 #include <ricochet/contact/mean_force.hpp>
-#include <ricochet/contact/peer_damping.hpp>
 #include <ricochet/contact/tsuji.hpp>
 #include <ricochet/contact/vec3.hpp>
 #include <ricochet/fractional/collocation.hpp>
@@ -24,15 +28,11 @@
 #include <ricochet/fractional/operators.hpp>
 #include <ricochet/motion/bodies.hpp>
 #include <ricochet/motion/cluster.hpp>
-#include <ricochet/motion/collision.hpp>
 #include <ricochet/motion/column.hpp>
-#include <ricochet/motion/column_arms.hpp>
-#include <ricochet/motion/column_engine.hpp>
-#include <ricochet/motion/column_memory.hpp>
 #include <ricochet/motion/contact_state.hpp>
+#include <ricochet/motion/engine/column_arms.hpp>
+#include <ricochet/motion/engine/column_engine.hpp>
+#include <ricochet/motion/engine/column_memory.hpp>
 #include <ricochet/motion/event_driven_column.hpp>
-#include <ricochet/motion/fractional_solvers.hpp>
 #include <ricochet/motion/linked_cells.hpp>
-#include <ricochet/motion/trace.hpp>
-#include <ricochet/motion/tuned_law.hpp>
 #include <ricochet/version.hpp>

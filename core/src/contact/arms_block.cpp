@@ -1,6 +1,6 @@
 #include <ricochet/contact/arms_block.hpp>
 #include <ricochet/contact/mean_force.hpp>
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <cstring>
 #include <stdexcept>
@@ -99,9 +99,9 @@ Instructions widest_instructions() noexcept { return has_avx2() ? Instructions::
 
 ArmsBlock::ArmsBlock(const FractionalArms& law, double step, std::size_t slots, Instructions instructions)
     : slots_(slots), slope_(law.dashpot() + 0.5 * step * law.spring()) {
-  detail::require_positive("step", step);
-  detail::require(slots % lanes == 0 && law.arms() <= slots && slots <= FractionalArms::max_arms, "slots",
-                  static_cast<double>(slots), "a multiple of 4 from the number of arms to 24");
+  support::require_positive("step", step);
+  support::require(slots % lanes == 0 && law.arms() <= slots && slots <= FractionalArms::max_arms, "slots",
+                   static_cast<double>(slots), "a multiple of 4 from the number of arms to 24");
   if (instructions == Instructions::avx2 && !has_avx2())
     throw std::invalid_argument("instructions = avx2: this machine does not have them");
   constexpr std::size_t most = FractionalArms::max_arms / lanes;

@@ -1,5 +1,5 @@
 #include <ricochet/contact/fractional.hpp>
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <cmath>
 
@@ -36,10 +36,10 @@ Step step_of(double rate, double dt) noexcept {
 
 FractionalArms::FractionalArms(const Fractional& law, const MemoryKernel& kernel, double step)
     : law_(law), arms_(kernel.arms().size()), step_(step) {
-  detail::require(kernel.alpha() == law.alpha(), "kernel alpha", kernel.alpha(), "the law's alpha");
-  detail::require(arms_ <= max_arms, "kernel arms", static_cast<double>(arms_),
-                  "at most 24; a larger tolerance or a smaller longest/shortest needs fewer");
-  detail::require_positive("step", step);
+  support::require(kernel.alpha() == law.alpha(), "kernel alpha", kernel.alpha(), "the law's alpha");
+  support::require(arms_ <= max_arms, "kernel arms", static_cast<double>(arms_),
+                   "at most 24; a larger tolerance or a smaller longest/shortest needs fewer");
+  support::require_positive("step", step);
   spring_ = law.coefficient() * kernel.spring();
   dashpot_ = law.coefficient() * kernel.dashpot();
   for (std::size_t j = 0; j < arms_; ++j) {

@@ -1,6 +1,6 @@
 #include <ricochet/contact/friction.hpp>
 
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -12,11 +12,11 @@ namespace ricochet {
 
 Friction::Friction(double mu_static, double mu_dynamic, double decay, double rolling_arm)
     : mu_static_(mu_static), mu_dynamic_(mu_dynamic), decay_(decay), rolling_arm_(rolling_arm) {
-  detail::require_not_negative("mu_static", mu_static);
-  detail::require_not_negative("mu_dynamic", mu_dynamic);
-  detail::require(mu_dynamic <= mu_static, "mu_dynamic", mu_dynamic, "at most mu_static");
-  detail::require_not_negative("decay", decay);
-  detail::require_not_negative("rolling_arm", rolling_arm);
+  support::require_not_negative("mu_static", mu_static);
+  support::require_not_negative("mu_dynamic", mu_dynamic);
+  support::require(mu_dynamic <= mu_static, "mu_dynamic", mu_dynamic, "at most mu_static");
+  support::require_not_negative("decay", decay);
+  support::require_not_negative("rolling_arm", rolling_arm);
 }
 
 namespace {

@@ -1,13 +1,13 @@
 #include <ricochet/contact/any_law.hpp>
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <array>
 
 namespace ricochet {
 
-using detail::require;
-using detail::require_not_negative;
-using detail::require_positive;
+using support::require;
+using support::require_not_negative;
+using support::require_positive;
 
 static_assert(ContactLaw<Linear> && ContactLaw<KuwabaraKono> && ContactLaw<Tsuji> && ContactLaw<Hysteretic>);
 

@@ -1,4 +1,4 @@
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 #include <ricochet/fractional/collocation.hpp>
 
 #include <Eigen/LU>
@@ -93,9 +93,9 @@ ChebyshevSeries series(const Eigen::VectorXd& c, double end) {
 }  // namespace
 
 FractionalMotion collocate_motion(double alpha, int nodes, double end) {
-  detail::require(alpha >= -2 && alpha < 1, "alpha", alpha, "in [-2, 1)");
-  detail::require(nodes >= 4 && nodes <= 120, "nodes", nodes, "in 4...120");
-  detail::require_positive("end", end);
+  support::require(alpha >= -2 && alpha < 1, "alpha", alpha, "in [-2, 1)");
+  support::require(nodes >= 4 && nodes <= 120, "nodes", nodes, "in 4...120");
+  support::require_positive("end", end);
   static const EndpointRule fine;
   const double a = 2 - alpha;
 

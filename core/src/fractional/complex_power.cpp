@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace ricochet::detail {
+namespace ricochet::fractional {
 
 namespace {
 
@@ -101,4 +101,4 @@ void complex_powers_less_one(std::size_t count, const double* log_size, const do
   }
 }
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::fractional

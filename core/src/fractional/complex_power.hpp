@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace ricochet::detail {
+namespace ricochet::fractional {
 
 /// Powers s_k^e of complex numbers given by log |s_k| and arg s_k, k = 0 … count−1, into re and im. All in one loop
 /// without branches, which compilers turn into vector instructions: a third of the time of exp and sincos one by one,
@@ -19,4 +19,4 @@ void complex_powers(std::size_t count, const double* log_size, const double* arg
 void complex_powers_less_one(std::size_t count, const double* log_size, const double* argument, double exponent,
                              double* re, double* im) noexcept;
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::fractional

@@ -1,4 +1,4 @@
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 #include <ricochet/fractional/operators.hpp>
 
 #include <algorithm>
@@ -35,14 +35,14 @@ void transform(std::vector<Complex>& x, const std::vector<Complex>& roots) {
 ConvolutionRule::ConvolutionRule(std::vector<double> weights, std::vector<double> first, std::vector<double> second)
     : weights_(std::move(weights)), first_(std::move(first)), second_(std::move(second)) {
   const auto fits = [this](const std::vector<double>& v) { return v.empty() || v.size() == weights_.size(); };
-  detail::require(!weights_.empty(), "weights", 0, "at least one");
-  detail::require(fits(first_), "first weights", static_cast<double>(first_.size()), "none or one a weight");
-  detail::require(fits(second_), "second weights", static_cast<double>(second_.size()), "none or one a weight");
+  support::require(!weights_.empty(), "weights", 0, "at least one");
+  support::require(fits(first_), "first weights", static_cast<double>(first_.size()), "none or one a weight");
+  support::require(fits(second_), "second weights", static_cast<double>(second_.size()), "none or one a weight");
 }
 
 void ConvolutionRule::check(std::span<const double> samples) const {
-  detail::require(!samples.empty() && samples.size() <= size(), "samples", static_cast<double>(samples.size()),
-                  "at least one and at most the rule's size");
+  support::require(!samples.empty() && samples.size() <= size(), "samples", static_cast<double>(samples.size()),
+                   "at least one and at most the rule's size");
 }
 
 double ConvolutionRule::edge(std::span<const double> samples, std::size_t n) const {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-namespace ricochet::detail {
+namespace ricochet::fractional {
 
 using std::numbers::pi;
 
@@ -108,4 +108,4 @@ Complex expm1(Complex z) {
   return {growth + turn + growth * turn, (growth + 1) * (2 * sine * cosine)};
 }
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::fractional

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace ricochet::detail {
+namespace ricochet::fractional {
 
 using Complex = std::complex<double>;
 
@@ -63,4 +63,4 @@ inline Complex product(Complex p, Complex q) {
   return {p.real() * q.real() - p.imag() * q.imag(), p.real() * q.imag() + p.imag() * q.real()};
 }
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::fractional

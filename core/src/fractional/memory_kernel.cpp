@@ -1,4 +1,4 @@
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
 
 #include "kernel_fit.hpp"
@@ -39,11 +39,11 @@ double MemoryKernel::operator()(double t) const noexcept {
 }
 
 MemoryKernel memory_kernel(double alpha, double shortest, double longest, double tolerance) {
-  detail::require(alpha >= 0 && alpha <= 1, "alpha", alpha, "between 0 and 1");
-  detail::require(shortest >= 1e-200 && shortest <= 1e200, "shortest", shortest, "between 1e-200 and 1e200");
-  detail::require(longest >= shortest && longest <= 1e6 * shortest, "longest", longest,
-                  "between shortest and 1e6 times shortest");
-  detail::require(tolerance >= 1e-12 && tolerance <= 0.1, "tolerance", tolerance, "between 1e-12 and 0.1");
+  support::require(alpha >= 0 && alpha <= 1, "alpha", alpha, "between 0 and 1");
+  support::require(shortest >= 1e-200 && shortest <= 1e200, "shortest", shortest, "between 1e-200 and 1e200");
+  support::require(longest >= shortest && longest <= 1e6 * shortest, "longest", longest,
+                   "between shortest and 1e6 times shortest");
+  support::require(tolerance >= 1e-12 && tolerance <= 0.1, "tolerance", tolerance, "between 1e-12 and 0.1");
 
   MemoryKernel kernel;
   kernel.alpha_ = alpha;

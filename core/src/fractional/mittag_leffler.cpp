@@ -1,4 +1,4 @@
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
 
 #include "mittag_leffler_prepared.hpp"
@@ -11,14 +11,14 @@ namespace ricochet {
 
 namespace {
 
-using namespace detail;
+using namespace fractional;
 
 void require_parameters(double a, double b) {
-  require(a > 0 && a <= 3, "a", a, "in (0, 3]");
-  require(b > 0 && b <= 700, "b", b, "in (0, 700]");
+  support::require(a > 0 && a <= 3, "a", a, "in (0, 3]");
+  support::require(b > 0 && b <= 700, "b", b, "in (0, 700]");
 }
 
-void require_argument(double x) { require(x >= -1e6 && x <= 5, "x", x, "in [-1e6, 5]"); }
+void require_argument(double x) { support::require(x >= -1e6 && x <= 5, "x", x, "in [-1e6, 5]"); }
 
 double representable(double value) {
   if (!std::isfinite(value)) throw std::overflow_error("mittag_leffler: the value exceeds the largest double");

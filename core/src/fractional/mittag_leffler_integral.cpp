@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ricochet::detail {
+namespace ricochet::fractional {
 
 using std::numbers::pi;
 
@@ -180,4 +180,4 @@ double Poles::residues(const HankelContour& contour, HankelContour::Grid grid, d
   return sum;
 }
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::fractional

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace ricochet::detail {
+namespace ricochet::fractional {
 
 /// How the integrand of (1/2πi) ∫ e^s s^{a−b}/(s^a − x) ds is written, so that no digit is lost.
 struct Form {
@@ -103,4 +103,4 @@ inline constexpr double least_plain_order = 0.1;
 /// Below this b, E near x = 0 is as small as 1/Γ(b) ≈ b, and the first term of its series is kept apart.
 inline constexpr double least_second = 0.3;
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::fractional

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ricochet::detail {
+namespace ricochet::fractional {
 
 using std::numbers::pi;
 
@@ -110,4 +110,4 @@ const Nodes& PreparedMittagLeffler::nodes(Form form, HankelContour::Grid grid) c
   return std::find_if(forms_.begin(), forms_.end(), [&](const FormNodes& f) { return f.form == form; })->on[grid];
 }
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::fractional

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "mittag_leffler_integral.hpp"
-#include <ricochet/detail/panel.hpp>
+#include <ricochet/support/panel.hpp>
 
 #include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
-namespace ricochet::detail {
+namespace ricochet::fractional {
 
 /// E_{a,b} for many x. For a ≥ 1, near zero (−16 ≤ x) by polynomials of E. Farther out, for a ≥ least_pole_order, by
 /// the pair of poles in closed form plus polynomials of the rest, which does not oscillate: on half octaves of −x, and
@@ -43,11 +43,11 @@ class PreparedMittagLeffler {
   const HankelContour& contour_;
   std::array<double, 3> gamma_{};  // 1/Γ(b − ka)
   std::vector<FormNodes> forms_;
-  std::vector<Panel> near_panels_, far_panels_;
-  std::optional<Panel> series_;
+  std::vector<support::Panel> near_panels_, far_panels_;
+  std::optional<support::Panel> series_;
   double far_ = 0;
   bool split_ = false;
   double cosine_, sine_, turn_, inverse_, inverse_low_;  // of the poles' angle π/a, and of 1/a
 };
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::fractional

@@ -1,4 +1,4 @@
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 #include <ricochet/fractional/operators.hpp>
 
 #include <cmath>
@@ -8,11 +8,11 @@ namespace ricochet {
 namespace {
 
 void require_order(double alpha) {
-  detail::require(alpha > 0 && alpha < 1, "alpha", alpha, "between 0 and 1, exclusive");
+  support::require(alpha > 0 && alpha < 1, "alpha", alpha, "between 0 and 1, exclusive");
 }
 
 // Higher orders exist, but h^β leaves the range of a double there.
-void require_beta(double beta) { detail::require(beta > 0 && beta <= 10, "beta", beta, "in (0, 10]"); }
+void require_beta(double beta) { support::require(beta > 0 && beta <= 10, "beta", beta, "in (0, 10]"); }
 
 /// Σ_{k ≡ parity mod 2} C(q, k) x^k moment(k): the differences below as series about the middle, because their closed
 /// forms cancel for old samples. For |x| ≤ 1/8 twenty terms reach rounding.
@@ -59,7 +59,7 @@ double curvature_weight(double alpha, double j) {
 
 ConvolutionRule rectangle_integral(double beta, double step, std::size_t steps) {
   require_beta(beta);
-  detail::require_positive("step", step);
+  support::require_positive("step", step);
   const double scale = std::pow(step, beta) / std::tgamma(beta + 1);
   // The sample x_l acts over (t_l, t_{l+1}): weight (n−l)^β − (n−l−1)^β; the last has not acted yet.
   std::vector<double> w(steps + 1);
@@ -74,7 +74,7 @@ ConvolutionRule rectangle_derivative(double alpha, double step, std::size_t step
 
 ConvolutionRule trapezoid_integral(double beta, double step, std::size_t steps) {
   require_beta(beta);
-  detail::require_positive("step", step);
+  support::require_positive("step", step);
   const double scale = std::pow(step, beta) / std::tgamma(beta + 2);
   std::vector<double> w(steps + 1), first(steps + 1);
   w[0] = scale;
@@ -93,7 +93,7 @@ ConvolutionRule trapezoid_derivative(double alpha, double step, std::size_t step
 
 ConvolutionRule l1_derivative(double alpha, double step, std::size_t steps) {
   require_order(alpha);
-  detail::require_positive("step", step);
+  support::require_positive("step", step);
   const double scale = std::pow(step, -alpha) / std::tgamma(2 - alpha), p = 1 - alpha;
   std::vector<double> w(steps + 1), first(steps + 1);
   w[0] = scale;
@@ -123,7 +123,7 @@ ConvolutionRule l12_derivative(double alpha, double step, std::size_t steps) {
 
 ConvolutionRule gruenwald_letnikov_derivative(double alpha, double step, std::size_t steps) {
   require_order(alpha);
-  detail::require_positive("step", step);
+  support::require_positive("step", step);
   std::vector<double> w(steps + 1);
   w[0] = std::pow(step, -alpha);
   for (std::size_t j = 1; j <= steps; ++j)
@@ -134,8 +134,8 @@ ConvolutionRule gruenwald_letnikov_derivative(double alpha, double step, std::si
 namespace {
 
 void require_mesh(std::span<const double> times, std::span<const double> samples) {
-  detail::require(times.size() >= 2 && samples.size() == times.size(), "samples", static_cast<double>(samples.size()),
-                  "as many as times, at least 2");
+  support::require(times.size() >= 2 && samples.size() == times.size(), "samples", static_cast<double>(samples.size()),
+                   "as many as times, at least 2");
 }
 
 /// b^p − a^p for 0 ≤ a < b without cancellation.
@@ -171,9 +171,9 @@ double trapezoid_derivative(double alpha, std::span<const double> times, std::sp
 }
 
 std::vector<double> graded_mesh(double end, std::size_t steps, double grading) {
-  detail::require_positive("end", end);
-  detail::require(steps > 0, "steps", static_cast<double>(steps), "at least 1");
-  detail::require(std::isfinite(grading) && grading >= 1, "grading", grading, "at least 1");
+  support::require_positive("end", end);
+  support::require(steps > 0, "steps", static_cast<double>(steps), "at least 1");
+  support::require(std::isfinite(grading) && grading >= 1, "grading", grading, "at least 1");
   std::vector<double> t(steps + 1);
   for (std::size_t l = 0; l <= steps; ++l)
     t[l] = end * std::pow(static_cast<double>(l) / static_cast<double>(steps), grading);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ricochet::detail {
+namespace ricochet::fractional {
 
 namespace {
 
@@ -26,4 +26,4 @@ double reciprocal_gamma_of_difference(double b, double a) {
   return x < 171 ? 1 / std::tgamma(x) : std::exp(-std::lgamma(x));
 }
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::fractional

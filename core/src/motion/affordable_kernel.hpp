@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ricochet::detail {
+namespace ricochet::motion {
 
 /// The best kernel that FractionalArms can carry: `tolerance` gives way tenfold until its arms suffice.
 inline MemoryKernel affordable_kernel(double alpha, double shortest, double longest, double tolerance) {
@@ -14,4 +14,4 @@ inline MemoryKernel affordable_kernel(double alpha, double shortest, double long
   }
 }
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::motion

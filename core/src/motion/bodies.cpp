@@ -2,8 +2,8 @@
 
 #include "steepest.hpp"
 
-#include <ricochet/contact/fractional_contact.hpp>
-#include <ricochet/detail/require.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -47,7 +47,7 @@ double duration(const Fractional& law, double mass, double) {
 // the undamped collision; the true one then lasts 4 ln(2β) m/c in the linear law, 5 to 20 of them for β up to 100.
 template <class Law>
 double time_to_resolve(const Law& law, double mass, double speed) {
-  const double undamped = duration(law, mass, speed), damping = detail::steepest(law, mass, speed).damping;
+  const double undamped = duration(law, mass, speed), damping = motion::steepest(law, mass, speed).damping;
   return damping > 0 ? std::min(undamped, 10 * mass / damping) : undamped;
 }
 // Here the two are one: (57) tends to 2m/c as α → 1.
@@ -122,8 +122,8 @@ void check(const ClusterSetup& setup) {
   for (std::size_t i = 0; i < setup.spheres.size(); ++i) {
     const Sphere& s = setup.spheres[i];
     const std::string who = "sphere " + std::to_string(i + 1);
-    detail::require_positive((who + " radius").c_str(), s.radius);
-    detail::require_positive((who + " density").c_str(), s.density);
+    support::require_positive((who + " radius").c_str(), s.radius);
+    support::require_positive((who + " density").c_str(), s.density);
     require_finite(who + " position", s.position);
     require_finite(who + " velocity", s.velocity);
     require_finite(who + " spin", s.spin);
@@ -132,7 +132,7 @@ void check(const ClusterSetup& setup) {
     const std::string who = "wall " + std::to_string(w + 1);
     require_finite(who + " point", setup.walls[w].point);
     require_finite(who + " inward", setup.walls[w].inward);
-    detail::require_positive((who + " |inward|").c_str(), norm(setup.walls[w].inward));
+    support::require_positive((who + " |inward|").c_str(), norm(setup.walls[w].inward));
   }
   require_finite("gravity", setup.gravity);
   const auto meets = [&](std::size_t a, std::size_t b) {
@@ -141,7 +141,7 @@ void check(const ClusterSetup& setup) {
       throw std::invalid_argument("materials " + std::to_string(a) + " and " + std::to_string(b) +
                                   " can meet: must have an interaction");
     if (const auto* f = std::get_if<Fractional>(&found->second.law))
-      detail::require(f->alpha() >= 0 && f->alpha() <= 1, "alpha", f->alpha(), "in [0, 1] for particles in motion");
+      support::require(f->alpha() >= 0 && f->alpha() <= 1, "alpha", f->alpha(), "in [0, 1] for particles in motion");
   };
   const auto lightest = lightest_of(setup);
   for (const auto& [a, of_a] : lightest)

@@ -2,14 +2,14 @@
 
 #include "affordable_kernel.hpp"
 
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace ricochet {
 
-using detail::require;
+using support::require;
 
 std::string_view name(EncounterEnd end) noexcept {
   constexpr std::string_view names[] = {"open", "elastic rebound", "rebound with deformation", "dynamic contact",
@@ -32,7 +32,7 @@ std::vector<double> radii_of(const ClusterSetup& setup) {
 }
 
 double skin_of(const ClusterSetup& setup, const ClusterOptions& options) {
-  detail::require_not_negative("skin", options.skin);
+  support::require_not_negative("skin", options.skin);
   if (options.skin > 0 || setup.spheres.empty()) return options.skin;
   const std::vector<double> radii = radii_of(setup);
   return *std::min_element(radii.begin(), radii.end()) / 3;
@@ -41,7 +41,7 @@ double skin_of(const ClusterSetup& setup, const ClusterOptions& options) {
 MemoryKernel kernel_for(double alpha, const ClusterOptions& o) {
   const double shortest = 0.5 * o.step, longest = o.longest_contact > 0 ? o.longest_contact : 1e4 * o.step;
   require(longest <= 1e6 * shortest, "longest_contact", longest, "at most 5e5 steps with a fractional law");
-  return detail::affordable_kernel(alpha, shortest, std::max(longest, shortest), o.kernel_tolerance);
+  return motion::affordable_kernel(alpha, shortest, std::max(longest, shortest), o.kernel_tolerance);
 }
 
 }  // namespace
@@ -74,11 +74,11 @@ Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)
       long_range_(setup.long_range),
       radii_(radii_of(setup)),
       neighbours_(radii_, skin_of(setup, options)) {
-  detail::require_positive("step", options.step);
-  detail::require_not_negative("longest_contact", options.longest_contact);
+  support::require_positive("step", options.step);
+  support::require_not_negative("longest_contact", options.longest_contact);
   const double tolerance = options.kernel_tolerance;
   require(tolerance >= 1e-12 && tolerance <= 0.1, "kernel_tolerance", tolerance, "in [1e-12, 0.1]");
-  detail::require_positive("solver_tolerance", options.solver_tolerance);
+  support::require_positive("solver_tolerance", options.solver_tolerance);
   require(options.max_sweeps >= 1, "max_sweeps", options.max_sweeps, "at least 1");
   for (const Sphere& s : setup.spheres) {
     masses_.push_back(s.mass());

@@ -2,7 +2,7 @@
 
 #include "affordable_kernel.hpp"
 
-#include <ricochet/motion/column_engine.hpp>
+#include <ricochet/motion/engine/column_engine.hpp>
 
 #include <charconv>
 #include <stdexcept>
@@ -52,26 +52,26 @@ MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
   const double longest = std::max(
       shortest, options.longest_memory > 0 ? options.longest_memory : std::min(options.duration, 1e5 * shortest));
   const double tolerance = options.memory_tolerance;
-  detail::require(tolerance >= 1e-12 && tolerance <= 0.1, "memory_tolerance", tolerance, "in [1e-12, 0.1]");
-  detail::require(longest <= 1e6 * shortest, "longest_memory", longest,
-                  "at most 1e6 of the shortest, that is of the step by default");
-  MemoryKernel kernel = detail::affordable_kernel(alpha, shortest, longest, tolerance);
+  support::require(tolerance >= 1e-12 && tolerance <= 0.1, "memory_tolerance", tolerance, "in [1e-12, 0.1]");
+  support::require(longest <= 1e6 * shortest, "longest_memory", longest,
+                   "at most 1e6 of the shortest, that is of the step by default");
+  MemoryKernel kernel = motion::affordable_kernel(alpha, shortest, longest, tolerance);
   if (kernel.error() > tolerance) {
     const std::string accepted = at_least(kernel.error()) + " at alpha = " + three_digits(alpha) +
                                  " with a longest memory of " + three_digits(longest / shortest) + " shortest ones";
-    detail::reject("memory_tolerance", tolerance, accepted.c_str());
+    support::reject("memory_tolerance", tolerance, accepted.c_str());
   }
   return kernel;
 }
 
 void check(const Column& column, const AnyLaw& plate, const AnyLaw& pair, const ColumnOptions& options) {
-  detail::require_positive("step", options.step);
-  detail::require_positive("duration", options.duration);
-  detail::require_not_negative("shortest_memory", options.shortest_memory);
-  detail::require_not_negative("longest_memory", options.longest_memory);
+  support::require_positive("step", options.step);
+  support::require_positive("duration", options.duration);
+  support::require_not_negative("shortest_memory", options.shortest_memory);
+  support::require_not_negative("longest_memory", options.longest_memory);
   const double largest = largest_step(column, plate, pair);
   if (options.step > largest)
-    detail::reject("step", options.step, (at_most(largest) + " s for these masses and laws").c_str());
+    support::reject("step", options.step, (at_most(largest) + " s for these masses and laws").c_str());
 }
 
 ColumnResult run_fractional(const Column& column, const Fractional& plate, const Fractional& pair,
@@ -97,21 +97,23 @@ double kinetic_energy_ratio(const Column& column, const std::vector<double>& vel
   return before > 0 ? after / before : 0.0;
 }
 
-namespace detail {
+namespace motion {
 
 void check(const Column& column) {
   const std::size_t beads = column.mass.size();
-  require_positive("beads", static_cast<double>(beads));
-  require(column.gap.size() == beads, "number of gaps", static_cast<double>(column.gap.size()), "that of the masses");
-  require(column.velocity.size() == beads, "number of velocities", static_cast<double>(column.velocity.size()),
-          "that of the masses");
-  require_not_negative("gravity", column.gravity);
-  for (const double mass : column.mass) require_positive("mass", mass);
-  for (const double gap : column.gap) require_not_negative("gap", gap);
-  for (const double velocity : column.velocity) require(std::isfinite(velocity), "velocity", velocity, "finite");
+  support::require_positive("beads", static_cast<double>(beads));
+  support::require(column.gap.size() == beads, "number of gaps", static_cast<double>(column.gap.size()),
+                   "that of the masses");
+  support::require(column.velocity.size() == beads, "number of velocities", static_cast<double>(column.velocity.size()),
+                   "that of the masses");
+  support::require_not_negative("gravity", column.gravity);
+  for (const double mass : column.mass) support::require_positive("mass", mass);
+  for (const double gap : column.gap) support::require_not_negative("gap", gap);
+  for (const double velocity : column.velocity)
+    support::require(std::isfinite(velocity), "velocity", velocity, "finite");
 }
 
-}  // namespace detail
+}  // namespace motion
 
 ColumnResult run_column(const Column& column, const AnyLaw& plate, const AnyLaw& pair, const ColumnOptions& options) {
   return std::visit(

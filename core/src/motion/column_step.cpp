@@ -3,7 +3,7 @@
 
 #include "steepest.hpp"
 
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <limits>
 #include <stdexcept>
@@ -14,7 +14,7 @@ namespace {
 // Root h of w·h·g(h) = 1/2, g the rise of a step's mean force with the rate: kh/2 + c; w in 1/kg.
 template <class Law>
 double stable_step(const Law& law, double w, double mass, double speed) {
-  const detail::Steepest at = detail::steepest(law, mass, speed);
+  const motion::Steepest at = motion::steepest(law, mass, speed);
   return 1 / (w * at.damping + std::sqrt(w * at.damping * w * at.damping + w * at.stiffness));
 }
 // The same with g = c^α k^{1−α} h^{1−α}/Γ(3−α), the mean of D^α over a step of constant rate.
@@ -31,7 +31,7 @@ double meeting_speed(const Column& column) {
 }  // namespace
 
 double largest_step(const Column& column, const AnyLaw& plate, const AnyLaw& pair) {
-  detail::check(column);
+  motion::check(column);
   const double speed = meeting_speed(column);
   const std::size_t beads = column.mass.size();
   const auto inverse_mass = [&](std::size_t body) { return body == 0 ? 0.0 : 1 / column.mass[body - 1]; };

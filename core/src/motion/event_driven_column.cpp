@@ -1,6 +1,6 @@
 #include <ricochet/motion/event_driven_column.hpp>
 
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <cmath>
 #include <functional>
@@ -70,10 +70,10 @@ class HardColumn {
 };
 
 void check_input(const Column& column, double en) {
-  using detail::require;
+  using support::require;
   require(column.gravity == 0, "gravity", column.gravity, "0 in an event-driven column");
   require(std::isfinite(en) && en >= 0 && en <= 1, "en", en, "in [0, 1]");
-  detail::check(column);
+  motion::check(column);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <ricochet/motion/linked_cells.hpp>
 
-#include <ricochet/detail/require.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -68,8 +68,8 @@ class Buckets {
 
 std::vector<NearPair> near_pairs(std::span<const Vec3> positions, std::span<const double> radii, double skin) {
   if (positions.size() != radii.size()) throw std::invalid_argument("positions and radii must be of equal length");
-  detail::require_not_negative("skin", skin);
-  for (double r : radii) detail::require_positive("radius", r);
+  support::require_not_negative("skin", skin);
+  for (double r : radii) support::require_positive("radius", r);
   std::vector<NearPair> pairs;
   if (positions.empty()) return pairs;
   // A margin of 10⁻⁶ covers the rounding of x/edge up to the outermost cell.
@@ -93,7 +93,7 @@ std::vector<NearPair> near_pairs(std::span<const Vec3> positions, std::span<cons
 }
 
 NeighbourList::NeighbourList(std::vector<double> radii, double skin) : radii_(std::move(radii)), skin_(skin) {
-  detail::require_not_negative("skin", skin);
+  support::require_not_negative("skin", skin);
 }
 
 bool NeighbourList::still_valid(std::span<const Vec3> positions) const noexcept {

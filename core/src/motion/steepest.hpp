@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ricochet::detail {
+namespace ricochet::motion {
 
 /// How steeply a law's force rises with the overlap [N/m] and its rate [N s/m] in a binary collision, at most.
 struct Steepest {
@@ -30,4 +30,4 @@ inline Steepest steepest(const Tsuji& law, double mass, double speed) {
   return steepest_hertzian(law.k(), law.c(), 0.25, mass, speed);
 }
 
-}  // namespace ricochet::detail
+}  // namespace ricochet::motion

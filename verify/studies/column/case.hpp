@@ -1,7 +1,7 @@
 #pragma once
 
 #include <ricochet/motion/column.hpp>
-#include <ricochet/motion/tuned_law.hpp>
+#include <ricochet/collision/tuned_law.hpp>
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "conversion_fit.hpp"
 
-#include <ricochet/contact/fractional_contact.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
 
 #include <console/exit.hpp>
 

@@ -4,7 +4,7 @@
 
 namespace ricochet {
 
-namespace detail {
+namespace fractional {
 class PreparedMittagLeffler;
 }
 
@@ -37,7 +37,7 @@ class MittagLeffler {
   double operator()(double x) const;
 
  private:
-  std::shared_ptr<const detail::PreparedMittagLeffler> prepared_;
+  std::shared_ptr<const fractional::PreparedMittagLeffler> prepared_;
 };
 
 }  // namespace ricochet

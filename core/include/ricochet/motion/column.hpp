@@ -21,7 +21,7 @@ Column equal_column(std::size_t beads, double mass, double gap, double velocity)
 /// Kinetic energy with these velocities [m/s] over that at the start, Σ m v²/Σ m v₀² of (62); 0 for a start at rest.
 double kinetic_energy_ratio(const Column& column, const std::vector<double>& velocity);
 
-namespace detail {
+namespace motion {
 void check(const Column& column);  ///< throws std::invalid_argument for what the members' comments exclude
 }
 

@@ -1,0 +1,130 @@
+#include "body.hpp"
+
+#include <ricochet/collision/damping_ratio.hpp>
+
+#include <cmath>
+
+namespace ricochet::calibrate {
+
+namespace {
+
+/// A material property of the pair of types 1, 1 under a fix of our own name.
+std::string property(const std::string& name, double value, const std::string& kind = "peratomtypepair 1") {
+  return "fix ricochet_" + name + " all property/global " + name + " " + kind + " " + number(value);
+}
+
+std::vector<std::string> with_style(std::vector<std::string> lines, const std::string& model) {
+  lines.push_back("pair_style gran model " + model);
+  lines.push_back("pair_coeff * *");
+  return lines;
+}
+
+struct Liggghts {
+  const ExportCase& what;
+
+  std::string limit() const { return what.end == ContactEnd::force ? "limitForce on" : "limitForce off"; }
+
+  static std::string setting() {
+    return "Include after create_box with one atom type (with more, each property wants the full matrix). Needs "
+           "atom_style granular, newton off and communicate single vel yes. tangential off has no friction; put your "
+           "model in its place.";
+  }
+
+  Body operator()(const Linear& law) const {
+    return {
+        .fidelity = Fidelity::exact,
+        .remarks = {setting(),
+                    "absolute_damping on takes c in kg/s as it is; without it LIGGGHTS wants gamman per "
+                    "effective mass, " +
+                        number(law.c() / what.impact.mass_eff) +
+                        " 1/s here. limitForce on clips the attractive part of the force."},
+        .lines = with_style(
+            {property("kn", law.k()), property("kt", 0), property("gamman_abs", law.c()), property("gammat_abs", 0)},
+            "hooke/stiffness tangential off absolute_damping on " + limit() + " tangential_damping off")};
+  }
+
+  Body operator()(const KuwabaraKono& law) const {
+    if (!what.radius_eff) return needs_radius();
+    const double root = std::sqrt(*what.radius_eff);
+    return {.fidelity = Fidelity::exact,
+            .remarks = {setting(),
+                        "hertz/stiffness multiplies kn by sqrt(R overlap), gamman by that and the effective "
+                        "mass: k/sqrt(R), c/(m sqrt(R)).",
+                        tied_to_pair()},
+            .lines = with_style({property("kn", law.k() / root), property("kt", 0),
+                                 property("gamman", law.c() / (what.impact.mass_eff * root)), property("gammat", 0)},
+                                "hertz/stiffness tangential off " + limit() + " tangential_damping off")};
+  }
+
+  Body operator()(const Tsuji& law) const {
+    if (!what.radius_eff) return needs_radius();
+    const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff));
+    if (!en || *en <= 0.05)
+      return absent("NOT WRITTEN: LIGGGHTS refuses a coefficientRestitution of 0.05 or less, this law needs " +
+                    (en ? number(*en) : std::string("an overdamped one")) + ".");
+    const double young = youngs_modulus(effective_modulus(law.k(), *what.radius_eff), poisson);
+    std::vector<std::string> lines;
+    if (young < 5e6) lines.push_back("soft_particles yes");
+    if (young > 1e9) lines.push_back("hard_particles yes");
+    lines.push_back(property("youngsModulus", young, "peratomtype"));
+    lines.push_back(property("poissonsRatio", poisson, "peratomtype"));
+    lines.push_back(property("coefficientRestitution", *en));
+    Body body{.fidelity = Fidelity::exact,
+              .remarks = {setting(),
+                          "hertz knows moduli, not stiffnesses: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for "
+                          "two equal bodies.",
+                          keeps_restitution()},
+              .lines = with_style(lines, "hertz tangential off " + limit() + " tangential_damping off")};
+    if (what.end == ContactEnd::force)
+      body.remarks.push_back(
+          "LIGGGHTS derives the damping for a force that may attract, so with limitForce on it "
+          "rebounds faster than asked; the coefficientRestitution below is the one whose damping "
+          "gives " +
+          number(what.en) + ".");
+    return body;
+  }
+
+  Body operator()(const Hysteretic& law) const {
+    if (!what.radius_eff) return needs_radius();
+    if (law.k1() == law.k2()) return absent("NOT WRITTEN: luding needs k2 > k1; use the linear law with c = 0.");
+    const double deepest = what.impact.velocity * std::sqrt(what.impact.mass_eff / law.k1());
+    const double depth = deepest * (1 - law.k1() / law.k2()) / (2 * *what.radius_eff);
+    const double half = law.k1() / (law.k1() + 0.5 * (law.k2() - law.k1()));
+    return {.fidelity = Fidelity::close,
+            .remarks = {setting(),
+                        "luding lets the unloading stiffness grow from k1 at no overlap to k2 at a limit, set here to "
+                        "the greatest overlap of the target's impact: its collision time and restitution are met there "
+                        "alone. At half the velocity the restitution is " +
+                            rounded(std::sqrt(half)) + " (constant k2: " + rounded(what.en) + ")."},
+            .lines =
+                with_style({property("LoadingStiffness", law.k1()), property("UnloadingStiffness", law.k2() / law.k1()),
+                            property("coefficientAdhesionStiffness", 0), property("coefficientPlasticityDepth", depth),
+                            property("pullOffForce", 0), property("coefficientRestitution", 1)},
+                           "luding tangential off")};
+  }
+
+  Body operator()(const Fractional& law) const {
+    if (what.end != ContactEnd::force)
+      return absent("NOT WRITTEN: normal fractional ends contacts by force; export with --end force.");
+    return {.fidelity = Fidelity::exact,
+            .remarks = {setting(),
+                        "Run with liggghts-ricochet, which adds this model to LIGGGHTS. Only c^alpha "
+                        "k^(1-alpha) acts, for every pair alike.",
+                        "For the same collision time and restitution at every pair's own mass, give in place of the "
+                        "three properties: fix ricochet_collisionTime all property/global collisionTime "
+                        "peratomtypepair 1 " +
+                            number(what.tcol) +
+                            " and fix ricochet_coefficientRestitution all "
+                            "property/global coefficientRestitution peratomtypepair 1 " +
+                            number(what.en)},
+            .lines = with_style({property("fractionalK", law.k()), property("fractionalC", law.c()),
+                                 property("fractionalAlpha", law.alpha())},
+                                "fractional tangential off")};
+  }
+};
+
+}  // namespace
+
+Body write_liggghts(const ExportCase& what) { return std::visit(Liggghts{what}, what.law); }
+
+}  // namespace ricochet::calibrate

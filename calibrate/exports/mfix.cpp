@@ -1,0 +1,75 @@
+#include "body.hpp"
+
+#include <ricochet/collision/damping_ratio.hpp>
+
+namespace ricochet::calibrate {
+
+namespace {
+
+struct Mfix {
+  const ExportCase& what;
+
+  static std::string setting() {
+    return "For the project file with one solids phase and units 'SI'; walls get the same numbers. MEW and MEW_W of 0 "
+           "are frictionless; put yours in their place.";
+  }
+  static std::string attracts() {
+    return "MFiX does not clip the attractive part of the force, so contacts end by overlap; calibrate with --end "
+           "overlap to meet the target.";
+  }
+  static Body overdamped() {
+    return absent("NOT WRITTEN: MFiX computes the damping from a restitution, which has none for this overdamped law.");
+  }
+
+  Body operator()(const Linear& law) const {
+    const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff));
+    if (!en) return overdamped();
+    Body body{.fidelity = Fidelity::exact,
+              .remarks = {setting(),
+                          "LSD takes the stiffness and a restitution e, from which it computes c = 2 sqrt(m k) "
+                          "|ln e|/sqrt(pi^2 + ln^2 e): exact for a contact ended by overlap, at every mass."},
+              .lines = {"DES_COLL_MODEL = 'LSD'", "KN = " + number(law.k()), "KN_W = " + number(law.k()),
+                        "DES_EN_INPUT(1) = " + number(*en), "DES_EN_WALL_INPUT(1) = " + number(*en), "MEW = 0.0",
+                        "MEW_W = 0.0"}};
+    end_otherwise(body, what, ContactEnd::overlap, attracts());
+    return body;
+  }
+
+  Body operator()(const KuwabaraKono&) const {
+    return absent("NOT WRITTEN: MFiX's Hertzian law has no damping proportional to the contact radius.");
+  }
+
+  Body operator()(const Tsuji& law) const {
+    if (!what.radius_eff) return needs_radius();
+    const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff));
+    if (!en) return overdamped();
+    const std::string young = number(youngs_modulus(effective_modulus(law.k(), *what.radius_eff), poisson));
+    const std::string nu = number(poisson);
+    Body body{
+        .fidelity = Fidelity::exact,
+        .remarks = {setting(),
+                    "HERTZIAN knows moduli: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for two equal bodies. "
+                    "MFiX up to 21.3.2 computed the damping with a factor 2 in place of sqrt(5) and gives " +
+                        rounded(restitution_of_damping(2 / std::sqrt(5.0) * damping_ratio(law, what.impact.mass_eff),
+                                                       ContactEnd::overlap)) +
+                        " with these numbers.",
+                    keeps_restitution()},
+        .lines = {"DES_COLL_MODEL = 'HERTZIAN'", "E_YOUNG(1) = " + young, "EW_YOUNG = " + young, "V_POISSON(1) = " + nu,
+                  "VW_POISSON = " + nu, "DES_EN_INPUT(1) = " + number(*en), "DES_EN_WALL_INPUT(1) = " + number(*en),
+                  "DES_ET_INPUT(1) = 1.0", "DES_ET_WALL_INPUT(1) = 1.0", "MEW = 0.0", "MEW_W = 0.0"}};
+    end_otherwise(body, what, ContactEnd::overlap, attracts());
+    return body;
+  }
+
+  Body operator()(const Hysteretic&) const { return absent("NOT WRITTEN: MFiX has no plastic loading and unloading."); }
+
+  Body operator()(const Fractional&) const {
+    return absent("NOT WRITTEN: MFiX has no law with memory; LIGGGHTS runs it through liggghts-ricochet.");
+  }
+};
+
+}  // namespace
+
+Body write_mfix(const ExportCase& what) { return std::visit(Mfix{what}, what.law); }
+
+}  // namespace ricochet::calibrate

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <ricochet/contact/any_law.hpp>
+
+#include <cstddef>
+
+namespace ricochet {
+
+/// The binary collision m ζ'' + R = 0, ζ(0) = 0, ζ'(0) = v₀ (47): two spheres of effective mass m = m₁m₂/(m₁+m₂), or
+/// one sphere of mass m on a wall.
+struct Impact {
+  double velocity = 0;  ///< v₀ [m/s], > 0
+  double mass_eff = 0;  ///< m [kg], > 0
+};
+
+enum class CollideMethod {
+  automatic,    ///< the closed form where there is one, else numerical
+  closed_form,  ///< throws where there is none (Kuwabara-Kono, Tsuji, fractional with α < 0)
+  numerical     ///< integrates the law's own equation of motion; knows no closed form
+};
+
+struct CollideOptions {
+  ContactEnd end = ContactEnd::force;
+  CollideMethod method = CollideMethod::automatic;
+  /// Force evaluations the numerical path may spend. Not of the fractional law, whose collocation takes no more than
+  /// five linear systems of 32 to 120 nodes.
+  std::size_t max_evaluations = 1'000'000;
+};
+
+enum class CollisionStatus {
+  ended_by_force,    ///< the repulsive force fell to zero (25); where c = 0 the overlap does so at the same time
+  ended_by_overlap,  ///< the overlap returned to zero (24)
+  no_separation,     ///< the asked end does not exist (26): overdamped overlap, α ≥ 1, …
+  budget_spent,      ///< max_evaluations reached before the end
+  out_of_range       ///< a scale of the collision (time, length, force, e_n) is no normal double, or, on the numerical
+                     ///< path, lost in rounding: a damping group past 1e100, an overlap's end with e_n < 1e-150
+                     ///< (fractional: 1e-7), a fractional force's end with e_n < 1e-12
+};
+
+/// What a collision did. Times count from the first touch t_b. After any other status than the two ends tcol, en and
+/// overlap_end are 0; the extremes are those met while the motion was followed (for the fractional law, none: 0).
+struct Collision {
+  CollisionStatus status = CollisionStatus::no_separation;
+  double tcol = 0;              ///< t_e − t_b [s]
+  double en = 0;                ///< −ζ'(t_e)/v₀
+  double max_overlap = 0;       ///< [m]
+  double time_max_overlap = 0;  ///< [s]
+  double max_force = 0;         ///< greatest repulsion [N]
+  double time_max_force = 0;    ///< [s]
+  double overlap_end = 0;       ///< ζ(t_e) [m]
+  std::size_t evaluations = 0;  ///< of the force, by the numerical path; 0 for a closed form
+
+  bool separated() const noexcept {
+    return status == CollisionStatus::ended_by_force || status == CollisionStatus::ended_by_overlap;
+  }
+};
+
+/// One binary collision under one law.
+///
+/// Closed forms. Linear, with D = c/(2√(mk)) = cos ψ (cosh ψ when overdamped) and time in √(m/k): the force vanishes at
+/// 2ψ/sin ψ with e_n = exp(−2ψ cot ψ), the overlap at π/sin ψ with e_n = exp(−π cot ψ), and only for D < 1; both keep
+/// full accuracy across D = 1. Hysteretic: two quarters of a sine. Fractional: Eqs. (47)–(56) for 0 ≤ α
+/// (contact/fractional_contact.hpp); −1 ≤ α < 0, which gains energy, is left to the numerical path.
+///
+/// An overdamped overlap (damping ratio ≥ 1 of the linear law, and of Tsuji's in ζ^{5/4}) never returns to zero, which
+/// the ratio decides on every path.
+///
+/// Numerical path. Time is replaced by the variable in which the damped power laws are polynomial (see
+/// core/src/collision/damped_power.hpp), so the start and the end, where ζ^{1/2} and ζ^{1/4} are not smooth, cost no
+/// order; Runge-Kutta-Fehlberg 7(8) with error control, every event located by redoing the step it lies in. The
+/// fractional law is solved by collocation instead (contact/fractional_collocation.hpp; evaluations counts its nodes).
+/// Strong damping is followed in the force instead of the velocity, the unloading of the hysteretic law in ζ − ζ₀:
+/// neither loses digits. Kuwabara and Kono's overlap always returns, but slowly under strong damping: past γ = 300 the
+/// budget may be spent first, or, with e_n < 1e-12, the end count as no_separation.
+///
+/// Relative error of tcol and en, L = |ln e_n|: 1e-11, and more only where the problem itself or its rounding asks for
+/// it:
+///   linear by overlap             1e-16 L³    both paths: the rounding of a damping ratio close to 1
+///   Tsuji by overlap              1e-15 L³    the same
+///   fractional, by overlap        1e-15/e_n²  both paths
+///   fractional, by force          1e-16/(1 − α), both paths; the numerical one 1e-14/e_n more
+/// Throws std::invalid_argument for velocity or mass_eff not finite and > 0, and for closed_form without one.
+Collision collide(const Linear& law, const Impact& impact, const CollideOptions& options = {});
+Collision collide(const KuwabaraKono& law, const Impact& impact, const CollideOptions& options = {});
+Collision collide(const Tsuji& law, const Impact& impact, const CollideOptions& options = {});
+Collision collide(const Hysteretic& law, const Impact& impact, const CollideOptions& options = {});
+Collision collide(const Fractional& law, const Impact& impact, const CollideOptions& options = {});
+Collision collide(const AnyLaw& law, const Impact& impact, const CollideOptions& options = {});
+
+}  // namespace ricochet

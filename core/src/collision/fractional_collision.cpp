@@ -1,0 +1,59 @@
+#include "closed_forms.hpp"
+#include "numerical_collision.hpp"
+
+#include <ricochet/collision/fractional_collocation.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
+
+#include <cmath>
+
+namespace ricochet::collision {
+namespace {
+
+/// A^{−1/(2−α)} [s], the time in which the motion unfolds.
+double unit_of(const Fractional& law, const Impact& impact) {
+  return std::pow(impact.mass_eff / law.coefficient(), 1 / (2 - law.alpha()));
+}
+
+CollisionStatus ended_by(ContactEnd end) {
+  return end == ContactEnd::force ? CollisionStatus::ended_by_force : CollisionStatus::ended_by_overlap;
+}
+
+}  // namespace
+
+Collision closed_form(const Fractional& law, const Impact& impact, ContactEnd end) {
+  if (law.alpha() >= (end == ContactEnd::force ? 1 : overlap_limit)) return {};
+  const FractionalContact contact = fractional_contact(law.alpha(), end);
+  Collision out;
+  out.status = ended_by(end);
+  out.tcol = contact.tau;
+  out.en = contact.en;
+  out.overlap_end = contact.overlap_end * contact.tau;
+  out.max_overlap = contact.max_overlap * contact.tau;
+  out.time_max_overlap = contact.t_max_overlap * contact.tau;
+  out.max_force = contact.max_force / contact.tau;
+  out.time_max_force = contact.t_max_force * contact.tau;
+  return in_units(out, impact, unit_of(law, impact));
+}
+
+Collision follow_fractional(const Fractional& law, const Impact& impact, ContactEnd end) {
+  constexpr int nodes = 32;
+  const FractionalSolution solved = collocate_collision(law.alpha(), nodes, end);
+  // The polynomials carry the speed to some 1e-15 of v₀, and the square of that of an overlap's end: a rebound slower
+  // than these is not told from none.
+  const double slowest = end == ContactEnd::force ? 1e-12 : 1e-7;
+  if (solved.separated && !(solved.en >= slowest)) return {.status = CollisionStatus::out_of_range};
+  if (!solved.separated) return {};
+  Collision out;
+  out.status = ended_by(end);
+  out.tcol = solved.tcol;
+  out.en = solved.en;
+  out.overlap_end = end == ContactEnd::force ? solved.overlap_end : 0;
+  out.max_overlap = solved.max_overlap;
+  out.time_max_overlap = solved.t_max_overlap;
+  out.max_force = solved.max_force;
+  out.time_max_force = solved.t_max_force;
+  out.evaluations = static_cast<std::size_t>(solved.nodes) * static_cast<std::size_t>(solved.solves);
+  return in_units(out, impact, unit_of(law, impact));
+}
+
+}  // namespace ricochet::collision

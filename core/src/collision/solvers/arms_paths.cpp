@@ -1,0 +1,90 @@
+// Schemes that keep the elongations of a memory kernel's arms.
+
+#include "fractional_path.hpp"
+
+#include <cmath>
+
+namespace ricochet::collision {
+
+namespace {
+
+/// Over one step of length h with the rate linear: the elongation q → decay·q + gain_before·v_n + gain_after·v_{n+1},
+/// and its integral, ∫q = held·q + impulse_before·v_n + impulse_after·v_{n+1}.
+struct ArmStep {
+  double decay, gain_before, gain_after, held, impulse_before, impulse_after;
+};
+
+ArmStep arm_step(double rate, double h) {
+  const double x = rate * h, decay = std::exp(-x);
+  if (x >= 0.5) {
+    const double before = (1 - (1 + x) * decay) / (x * x), after = (x + std::expm1(-x)) / (x * x);
+    return {decay, h * before, h * after, -std::expm1(-x) / rate, h * (0.5 - before) / rate, h * (0.5 - after) / rate};
+  }
+  // Σ (−x)^k/(k+m)! and its like: the closed forms would cancel.
+  double before = 0, after = 0, impulse_before = 0, impulse_after = 0, term = 0.5;  // (−x)^k/(k+2)!
+  for (int k = 0; k < 16; ++k) {
+    before += (k + 1) * term;
+    after += term;
+    impulse_before += (k + 2) * term / (k + 3);
+    impulse_after += term / (k + 3);
+    term *= -x / (k + 3);
+  }
+  return {
+      decay, h * before, h * after, x > 0 ? -std::expm1(-x) / rate : h, h * h * impulse_before, h * h * impulse_after};
+}
+
+std::vector<ArmStep> arm_steps(const Exponentials& kernel, double h) {
+  std::vector<ArmStep> steps;
+  for (const double rate : kernel.rate) steps.push_back(arm_step(rate, h));
+  return steps;
+}
+
+}  // namespace
+
+namespace {
+
+/// Steps v_{n+1} = v_n − ∫force, the integral by the trapezoid or exactly for a rate linear over the step. Either is
+/// linear in v_{n+1}: ∫force = known + slope·v_{n+1}.
+Path arms_path(const Mesh& mesh, const Exponentials& kernel, bool exact_impulse) {
+  Path path;
+  std::vector<ArmStep> steps = arm_steps(kernel, mesh.first);
+  path.kernel_evaluations = 2 * kernel.rate.size();
+  std::vector<double> q(kernel.rate.size());
+  path.force[0] = kernel.dashpot;
+  for (std::size_t n = 1; !mesh.past(n); ++n) {
+    const double h = n == 1 ? mesh.first : mesh.step, v = path.rate.back(), z = path.overlap.back();
+    if (n == 2) steps = arm_steps(kernel, mesh.step);
+    double known = 0, slope = 0;
+    if (exact_impulse) {
+      known = kernel.spring * (h * z + h * h * v / 3) + kernel.dashpot * 0.5 * h * v;
+      slope = kernel.spring * h * h / 6 + kernel.dashpot * 0.5 * h;
+    } else {
+      known = 0.5 * h * (path.force.back() + kernel.spring * (z + 0.5 * h * v));
+      slope = 0.5 * h * (kernel.spring * 0.5 * h + kernel.dashpot);
+    }
+    for (std::size_t j = 0; j < q.size(); ++j) {
+      const ArmStep& s = steps[j];
+      known += kernel.strength[j] *
+               (exact_impulse ? s.held * q[j] + s.impulse_before * v : 0.5 * h * (s.decay * q[j] + s.gain_before * v));
+      slope += kernel.strength[j] * (exact_impulse ? s.impulse_after : 0.5 * h * s.gain_after);
+    }
+    const double rate = (v - known) / (1 + slope), overlap = z + 0.5 * h * (v + rate);
+    double force = kernel.spring * overlap + kernel.dashpot * rate;
+    for (std::size_t j = 0; j < q.size(); ++j) {
+      q[j] = steps[j].decay * q[j] + steps[j].gain_before * v + steps[j].gain_after * rate;
+      force += kernel.strength[j] * q[j];
+    }
+    path.multiplications += 6 * q.size();
+    path.add(mesh.time(n), overlap, rate, force);
+    if (!mesh.exact && path.ended()) break;
+  }
+  return path;
+}
+
+}  // namespace
+
+Path arms_trapezoid_path(const Mesh& mesh, const Exponentials& kernel) { return arms_path(mesh, kernel, false); }
+
+Path arms_exponential_path(const Mesh& mesh, const Exponentials& kernel) { return arms_path(mesh, kernel, true); }
+
+}  // namespace ricochet::collision

@@ -1,0 +1,101 @@
+#include "fit_coverage.hpp"
+
+#include <ricochet/collision/damping_ratio.hpp>
+
+#include <cmath>
+#include <random>
+
+namespace ricochet::verify {
+
+namespace {
+
+using namespace calibrate;
+
+constexpr double mass = 7.06858e-6;
+constexpr int speeds = 12;
+constexpr double en_sigma = 0.01, tcol_share = 0.02;
+
+/// α = 1/(1 + e^{−a} v^{−b}), with the k and c of `truth_of`.
+constexpr double a = -0.5, b = 0.3, k = 5000, c = 0.3;
+double alpha_at(double velocity) { return 1 / (1 + std::exp(-a - b * std::log(velocity))); }
+
+AnyLaw truth_of(const FitRequest& request, double velocity) {
+  switch (request.law) {
+    case LawName::linear: return Linear(5000, 0.1);
+    case LawName::kuwabara_kono: return KuwabaraKono(1.4e6, 30);
+    case LawName::tsuji: return Tsuji(1.4e6, 2);
+    case LawName::hysteretic: return Hysteretic(4000, 9000);
+    case LawName::fractional: break;
+  }
+  return Fractional(k, c, request.alpha_of_speed ? alpha_at(velocity) : 0.3);
+}
+
+/// What sets the restitution, where no times tell more.
+struct Group {
+  double operator()(const Linear& law) const { return damping_ratio(law, mass); }
+  double operator()(const KuwabaraKono& law) const { return law.c() * std::pow(law.k(), -0.6) * std::pow(mass, -0.4); }
+  double operator()(const Tsuji& law) const { return damping_ratio(law, mass); }
+  double operator()(const Hysteretic& law) const { return law.k1() / law.k2(); }
+  double operator()(const Fractional& law) const { return law.alpha(); }
+};
+
+std::vector<double> true_parameters(const CoverageCase& one) {
+  if (one.request.alpha_of_speed) return one.with_times ? std::vector{a, b, k, c} : std::vector{a, b};
+  const AnyLaw law = truth_of(one.request, 1);
+  if (!one.with_times) return {std::visit(Group{}, law)};
+  std::vector<double> values;
+  for (const auto& p : identifiable(law)) values.push_back(p.value);
+  return values;
+}
+
+/// Without noise, over two decades of speed.
+std::vector<Measurement> exact_data(const CoverageCase& one) {
+  std::vector<Measurement> data;
+  for (int i = 0; i < speeds; ++i) {
+    const double v = 0.02 * std::pow(100.0, i / (speeds - 1.0));
+    const Collision out = collide(truth_of(one.request, v), {v, mass});
+    data.push_back({v, out.en, en_sigma});
+    if (one.with_times) data.back().tcol = out.tcol, data.back().tcol_sigma = tcol_share * out.tcol;
+  }
+  return data;
+}
+
+}  // namespace
+
+std::vector<CoverageCase> coverage_cases() {
+  std::vector<CoverageCase> cases;
+  for (const bool with_times : {true, false}) {
+    for (const LawName law :
+         {LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic, LawName::fractional})
+      cases.push_back({{law, ContactEnd::force, mass}, with_times});
+    cases.push_back({{LawName::fractional, ContactEnd::force, mass, true}, with_times});
+  }
+  return cases;
+}
+
+std::vector<Coverage> coverage_of(const CoverageCase& one, int trials) {
+  std::mt19937_64 random(2004);
+  std::normal_distribution<double> normal;
+  const auto exact = exact_data(one);
+  const auto truth = true_parameters(one);
+  std::vector<Coverage> found;
+  found.reserve(truth.size());
+  for (const double value : truth) found.push_back({one.request, one.with_times, "", value, 0, 0});
+  for (int trial = 0; trial < trials; ++trial) {
+    auto data = exact;
+    for (Measurement& m : data) {
+      m.en += m.en_sigma * normal(random);
+      m.tcol += m.tcol_sigma * normal(random);
+    }
+    const Fit fit = fit_law(one.request, data);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const Estimate& p = fit.parameters.at(i);
+      found[i].parameter = p.name;
+      found[i].relative_error += p.error / std::abs(truth[i]) / trials;
+      found[i].share += (std::abs(p.value - truth[i]) <= 1.959964 * p.error) / static_cast<double>(trials);
+    }
+  }
+  return found;
+}
+
+}  // namespace ricochet::verify
