@@ -5,12 +5,12 @@
 #include <vector>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 
 namespace {
 
 /// Targets in random order over the range of the tables.
-std::vector<Request> requests(LawName law, ContactEnd end) {
+std::vector<Request> requests(LawKind law, ContactEnd end) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> en(0.01, 0.99), decades(-7, -2);
   std::vector<Request> all;
@@ -19,7 +19,7 @@ std::vector<Request> requests(LawName law, ContactEnd end) {
   return all;
 }
 
-void direct(benchmark::State& state, LawName law, ContactEnd end) {
+void direct(benchmark::State& state, LawKind law, ContactEnd end) {
   const DirectCalibrator calibrator;
   const auto all = requests(law, end);
   calibrator(all[0]);  // makes the table
@@ -28,12 +28,12 @@ void direct(benchmark::State& state, LawName law, ContactEnd end) {
   state.SetItemsProcessed(state.iterations());
 }
 
-void table(benchmark::State& state, LawName law, ContactEnd end) {
+void table(benchmark::State& state, LawKind law, ContactEnd end) {
   const auto all = requests(law, end);
   for (auto _ : state) benchmark::DoNotOptimize(DirectCalibrator()(all[0]));
 }
 
-void single(benchmark::State& state, LawName law, ContactEnd end) {
+void single(benchmark::State& state, LawKind law, ContactEnd end) {
   const auto all = requests(law, end);
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(calibrate(all[i++ % all.size()]));
@@ -41,19 +41,19 @@ void single(benchmark::State& state, LawName law, ContactEnd end) {
 
 }  // namespace
 
-BENCHMARK_CAPTURE(direct, linear_overlap, LawName::linear, ContactEnd::overlap);
-BENCHMARK_CAPTURE(direct, linear_force, LawName::linear, ContactEnd::force);
-BENCHMARK_CAPTURE(direct, hysteretic, LawName::hysteretic, ContactEnd::force);
-BENCHMARK_CAPTURE(direct, kuwabara_kono, LawName::kuwabara_kono, ContactEnd::force);
-BENCHMARK_CAPTURE(direct, tsuji_overlap, LawName::tsuji, ContactEnd::overlap);
-BENCHMARK_CAPTURE(direct, tsuji_force, LawName::tsuji, ContactEnd::force);
-BENCHMARK_CAPTURE(direct, fractional, LawName::fractional, ContactEnd::force);
-BENCHMARK_CAPTURE(table, kuwabara_kono, LawName::kuwabara_kono, ContactEnd::force)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(table, tsuji_force, LawName::tsuji, ContactEnd::force)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(table, fractional, LawName::fractional, ContactEnd::force)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(single, linear_force, LawName::linear, ContactEnd::force)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(single, kuwabara_kono, LawName::kuwabara_kono, ContactEnd::force)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(single, tsuji_force, LawName::tsuji, ContactEnd::force)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(single, hysteretic, LawName::hysteretic, ContactEnd::force)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(single, fractional, LawName::fractional, ContactEnd::force)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(direct, linear_overlap, kind_of<Linear>, ContactEnd::overlap);
+BENCHMARK_CAPTURE(direct, linear_force, kind_of<Linear>, ContactEnd::force);
+BENCHMARK_CAPTURE(direct, hysteretic, kind_of<Hysteretic>, ContactEnd::force);
+BENCHMARK_CAPTURE(direct, kuwabara_kono, kind_of<KuwabaraKono>, ContactEnd::force);
+BENCHMARK_CAPTURE(direct, tsuji_overlap, kind_of<Tsuji>, ContactEnd::overlap);
+BENCHMARK_CAPTURE(direct, tsuji_force, kind_of<Tsuji>, ContactEnd::force);
+BENCHMARK_CAPTURE(direct, fractional, kind_of<Fractional>, ContactEnd::force);
+BENCHMARK_CAPTURE(table, kuwabara_kono, kind_of<KuwabaraKono>, ContactEnd::force)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(table, tsuji_force, kind_of<Tsuji>, ContactEnd::force)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(table, fractional, kind_of<Fractional>, ContactEnd::force)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(single, linear_force, kind_of<Linear>, ContactEnd::force)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(single, kuwabara_kono, kind_of<KuwabaraKono>, ContactEnd::force)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(single, tsuji_force, kind_of<Tsuji>, ContactEnd::force)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(single, hysteretic, kind_of<Hysteretic>, ContactEnd::force)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(single, fractional, kind_of<Fractional>, ContactEnd::force)->Unit(benchmark::kMillisecond);
 BENCHMARK_MAIN();

@@ -44,21 +44,21 @@ void run(benchmark::State& state, const Law& plate, const Law& pair) {
 }
 
 void column_linear(benchmark::State& state) {
-  run(state, PressedColumn::plate<Linear>(LawKind::linear), PressedColumn::pair<Linear>(LawKind::linear));
+  run(state, PressedColumn::plate<Linear>(kind_of<Linear>), PressedColumn::pair<Linear>(kind_of<Linear>));
 }
 
 void column_hysteretic(benchmark::State& state) {
-  run(state, PressedColumn::plate<Hysteretic>(LawKind::hysteretic),
-      PressedColumn::pair<Hysteretic>(LawKind::hysteretic));
+  run(state, PressedColumn::plate<Hysteretic>(kind_of<Hysteretic>),
+      PressedColumn::pair<Hysteretic>(kind_of<Hysteretic>));
 }
 
 void column_tsuji(benchmark::State& state) {
-  run(state, PressedColumn::plate<Tsuji>(LawKind::tsuji), PressedColumn::pair<Tsuji>(LawKind::tsuji));
+  run(state, PressedColumn::plate<Tsuji>(kind_of<Tsuji>), PressedColumn::pair<Tsuji>(kind_of<Tsuji>));
 }
 
 void column_fractional_12_arms(benchmark::State& state) {
-  const auto plate = PressedColumn::plate<Fractional>(LawKind::fractional);
-  const auto pair = PressedColumn::pair<Fractional>(LawKind::fractional);
+  const auto plate = PressedColumn::plate<Fractional>(kind_of<Fractional>);
+  const auto pair = PressedColumn::pair<Fractional>(kind_of<Fractional>);
   const MemoryKernel kernel = workloads::kernel_of(12, pair.alpha(), step);
   run(state, FractionalArms(plate, kernel, step), FractionalArms(pair, kernel, step));
 }

@@ -3,7 +3,7 @@
 #include <ricochet/contact/fractional.hpp>
 #include <ricochet/motion/cluster.hpp>
 #include <ricochet/motion/column.hpp>
-#include <ricochet/collision/tuned_law.hpp>
+#include <ricochet/collision/reduction.hpp>
 
 #include <cmath>
 #include <random>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::Cell;
@@ -12,11 +12,10 @@ using console::Column;
 const std::vector<Column>& parameter_columns() {
   static const std::vector<Column> columns = [] {
     std::vector<Column> all;
-    for (const AnyLaw& law : {AnyLaw(Linear(1, 1)), AnyLaw(KuwabaraKono(1, 1)), AnyLaw(Tsuji(1, 1)),
-                              AnyLaw(Hysteretic(1, 1)), AnyLaw(Fractional(1, 1, 0))})
-      for (const auto& p : parameters(law)) {
-        const auto same = [&](const Column& c) { return c.name == p.name && c.unit == p.unit; };
-        if (std::none_of(all.begin(), all.end(), same)) all.push_back({p.name, p.unit});
+    for (const LawKind kind : LawKind::all())
+      for (const Parameter& p : kind.parameters()) {
+        const auto same = [&](const Column& c) { return c.name == p.name && c.unit == p.unit(); };
+        if (std::none_of(all.begin(), all.end(), same)) all.push_back({std::string(p.name), p.unit()});
       }
     return all;
   }();
@@ -60,9 +59,9 @@ console::Table csv_of(const Report& report) {
                                  {"cross_check_difference"}});
   console::Table table(columns);
   for (const auto& result : report.results) table.row(row_of(result));
-  const auto without_result = [&](LawName law, ContactEnd end, const std::string& status) {
+  const auto without_result = [&](LawKind law, ContactEnd end, const std::string& status) {
     std::vector<Cell> row(columns.size(), console::blank());
-    row[0] = std::string(text(law));
+    row[0] = std::string(law.name());
     row[1] = std::string(text(end));
     row[2] = status;
     table.row(row);
@@ -73,4 +72,4 @@ console::Table csv_of(const Report& report) {
   return table;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -4,7 +4,7 @@
 #include <console/exit.hpp>
 #include <console/json.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::Json;
@@ -54,11 +54,11 @@ std::string exported(const Report& report, const std::string& name_of_engine, co
   if (format == console::Format::json) return document_of(snippets, engine);
   std::string all = combine(snippets);
   for (const Infeasible& missed : report.infeasible)
-    all += "\n" + comment(engine, "Ricochet: the " + std::string(text(missed.law)) + " law ended by " +
+    all += "\n" + comment(engine, "Ricochet: the " + std::string(missed.law.name()) + " law ended by " +
                                       std::string(text(missed.end)) + " can't reach the target.");
   for (const Failure& failure : report.failed)
     all += "\n" + comment(engine, "Ricochet: failed: " + failure.reason + ".");
   return all;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

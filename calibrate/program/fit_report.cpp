@@ -13,7 +13,7 @@
 #include <cmath>
 #include <optional>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::BadInput;
@@ -36,21 +36,21 @@ struct FitReport {
 /// The laws that are asked for; what does not offer the asked end is left out, or refused where it stands alone.
 std::vector<FitRequest> requests_of(const Options& o, double mass_eff, std::vector<LeftOut>& left_out) {
   const auto end = o.end.empty() ? ContactEnd::force : end_named("--end", o.end);
-  std::vector<LawName> laws{LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic,
-                            LawName::fractional};
+  std::vector<LawKind> laws{kind_of<Linear>, kind_of<KuwabaraKono>, kind_of<Tsuji>, kind_of<Hysteretic>,
+                            kind_of<Fractional>};
   if (!o.law.empty() && o.law != "all") laws = {law_named("--law", o.law)};
-  if (o.alpha_of_speed && laws.back() != LawName::fractional)
+  if (o.alpha_of_speed && laws.back() != kind_of<Fractional>)
     throw BadInput("--alpha-of-speed: must be given with --law fractional or all");
   std::vector<FitRequest> all;
-  for (const LawName law : laws) {
-    if (offers(law, end)) {
+  for (const LawKind law : laws) {
+    if (law.ends().offer(end)) {
       all.push_back({law, end, mass_eff});
       continue;
     }
     if (laws.size() == 1) throw BadInput("--end", o.end, "force with --law " + o.law);
     left_out.push_back({{law, end, mass_eff}, "ends by force only"});
   }
-  if (o.alpha_of_speed) all.push_back({LawName::fractional, end, mass_eff, true});
+  if (o.alpha_of_speed) all.push_back({kind_of<Fractional>, end, mass_eff, true});
   return all;
 }
 
@@ -149,7 +149,7 @@ Table comparison_table(const FitReport& report) {
 
 Json json_of(const Fit& fit, bool times) {
   Json out{
-      {"law", text(fit.request.law)}, {"alpha_of_speed", fit.request.alpha_of_speed}, {"end", text(fit.request.end)}};
+      {"law", fit.request.law.name()}, {"alpha_of_speed", fit.request.alpha_of_speed}, {"end", text(fit.request.end)}};
   out["parameters"] = Json::array();
   for (const Estimate& p : fit.parameters)
     out["parameters"].push_back({{"name", p.name}, {"value", p.value}, {"standard_error", p.error}, {"unit", p.unit}});
@@ -181,7 +181,7 @@ std::string json_of(const FitReport& report) {
   out["left_out"] = Json::array();
   for (const auto& [request, reason] : report.left_out)
     out["left_out"].push_back(
-        {{"law", text(request.law)}, {"alpha_of_speed", request.alpha_of_speed}, {"reason", reason}});
+        {{"law", request.law.name()}, {"alpha_of_speed", request.alpha_of_speed}, {"reason", reason}});
   return console::document(out);
 }
 
@@ -238,4 +238,4 @@ console::Exit run_fit(const Options& options) {
   return console::Exit::done;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::BadInput;
@@ -17,8 +17,6 @@ using console::shortest;
 constexpr double default_velocity = 0.5;
 constexpr double default_mass_eff = 7.06858e-6;
 constexpr double default_radius_eff = 0.75e-3, default_density = 1000;
-constexpr std::array all_laws{LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic,
-                              LawName::fractional};
 
 double positive(const char* flag, double value) {
   if (!(value > 0)) throw BadInput(flag, shortest(value), "> 0");
@@ -95,28 +93,34 @@ Target target_of(const Options& o, Job& job) {
   return {tcol, *o.en, {velocity, mass_eff(o, job)}};
 }
 
-std::vector<LawName> laws_of(const Options& o) {
-  if (o.law == "all") return {all_laws.begin(), all_laws.end()};
+std::vector<LawKind> laws_of(const Options& o) {
+  if (const auto all = LawKind::all(); o.law == "all") return {all.begin(), all.end()};
   return {law_named("--law", o.law)};
 }
 
 /// The asked ends that `law` offers.
-std::vector<ContactEnd> ends_of(const Options& o, LawName law) {
-  const bool both = o.end == "both" || (o.end.empty() && law == LawName::linear);
+std::vector<ContactEnd> ends_of(const Options& o, LawKind law) {
+  const bool both = o.end == "both" || (o.end.empty() && law.ends().both_by_default);
   std::vector<ContactEnd> ends;
   for (const auto end : {ContactEnd::overlap, ContactEnd::force}) {
     const bool asked = both || (o.end.empty() ? end == ContactEnd::force : text(end) == o.end);
-    if (asked && offers(law, end)) ends.push_back(end);
+    if (asked && law.ends().offer(end)) ends.push_back(end);
   }
   return ends;
 }
 
 }  // namespace
 
-LawName law_named(std::string_view flag, std::string_view name) {
-  const auto law = std::find_if(all_laws.begin(), all_laws.end(), [&](LawName l) { return text(l) == name; });
-  if (law == all_laws.end())
-    throw BadInput(flag, shown(name), "linear, kuwabara-kono, tsuji, hysteretic or fractional");
+std::string law_names() {
+  std::string list;
+  for (std::size_t i = 0; i < Laws::size; ++i)
+    list += (i == 0 ? "" : i + 1 < Laws::size ? ", " : " or ") + std::string(Laws::names[i]);
+  return list;
+}
+
+LawKind law_named(std::string_view flag, std::string_view name) {
+  const auto law = LawKind::named(name);
+  if (!law) throw BadInput(flag, shown(name), law_names());
   return *law;
 }
 
@@ -164,9 +168,9 @@ Job job_of(const Options& o) {
     for (const auto end : ends) job.requests.push_back({law, end, job.target, o.stiffness});
   }
   if (!o.stiffness && std::any_of(job.requests.begin(), job.requests.end(),
-                                  [](const Request& r) { return r.law == LawName::fractional; }))
+                                  [](const Request& r) { return r.law == kind_of<Fractional>; }))
     job.assumptions.push_back("the fractional law holds the k of the linear law ended by force (--stiffness)");
   return job;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

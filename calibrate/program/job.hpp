@@ -13,7 +13,7 @@ namespace CLI {
 class App;
 }
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// The command line as it was typed.
 struct Options {
@@ -42,7 +42,7 @@ void take_only(const Options& options, std::string_view mode, std::initializer_l
 struct Job {
   Target target;
   std::vector<Request> requests;
-  std::vector<LawName> left_out;  ///< laws of "all" that do not offer the asked end
+  std::vector<LawKind> left_out;  ///< laws of "all" that do not offer the asked end
   std::vector<std::string> assumptions;
   std::optional<double> radius_eff, density;  ///< where they are known: r₁r₂/(r₁+r₂) [m], of both spheres [kg/m³]
   std::optional<double> radius;               ///< of the smaller sphere, where radii were given [m]
@@ -53,7 +53,7 @@ Job job_of(const Options& options);
 
 /// What a row of a file takes where it has no such column, or the field is empty.
 struct TargetDefaults {
-  LawName law = LawName::fractional;
+  LawKind law = kind_of<Fractional>;
   ContactEnd end = ContactEnd::force;
   Impact impact;
   std::optional<double> stiffness = {};
@@ -63,10 +63,12 @@ struct TargetDefaults {
 /// Throws as job_of does.
 TargetDefaults target_defaults(const Options& options);
 
+/// "linear, kuwabara-kono, … or fractional".
+std::string law_names();
 /// The law of that name; throws console::BadInput with `flag`.
-LawName law_named(std::string_view flag, std::string_view name);
+LawKind law_named(std::string_view flag, std::string_view name);
 ContactEnd end_named(std::string_view flag, std::string_view name);
 /// A piece of somebody's file, fit for a message of one line.
 std::string shown(std::string_view text);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

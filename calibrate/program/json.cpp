@@ -2,7 +2,7 @@
 
 #include <console/json.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::Json;
@@ -14,7 +14,7 @@ Json units_of(const AnyLaw& law) {
   return units;
 }
 
-Json named_values(const std::vector<Parameter>& values) {
+Json named_values(const std::vector<NamedValue>& values) {
   Json object = Json::object();
   for (const auto& p : values) object[p.name] = p.value;
   return object;
@@ -50,7 +50,7 @@ Json json_of(const Calibration& r) {
 Json json_of(const Infeasible& missed) {
   Json reachable = Json::object();
   if (!missed.quantity.empty()) reachable[missed.quantity] = {missed.lowest, missed.highest};
-  return {{"law", text(missed.law)}, {"end", text(missed.end)}, {"reason", missed.reason}, {"reachable", reachable}};
+  return {{"law", missed.law.name()}, {"end", text(missed.end)}, {"reason", missed.reason}, {"reachable", reachable}};
 }
 
 }  // namespace
@@ -71,8 +71,8 @@ std::string json_of(const Report& report) {
   out["infeasible"] = Json::array();
   for (const auto& missed : report.infeasible) out["infeasible"].push_back(json_of(missed));
   for (const auto& failure : report.failed)
-    out["failed"].push_back({{"law", text(failure.law)}, {"end", text(failure.end)}, {"reason", failure.reason}});
+    out["failed"].push_back({{"law", failure.law.name()}, {"end", text(failure.end)}, {"reason", failure.reason}});
   return console::document(out);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -11,12 +11,12 @@
 #include <optional>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 
 namespace {
 
 std::string lone_failure(const Infeasible& missed) {
-  return "--law " + std::string(text(missed.law)) + " --end " + std::string(text(missed.end)) + ": " +
+  return "--law " + std::string(missed.law.name()) + " --end " + std::string(text(missed.end)) + ": " +
          explained(missed);
 }
 

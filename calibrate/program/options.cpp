@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 std::string spelled(const std::vector<std::string>& names) {
@@ -47,8 +47,9 @@ void add_options(CLI::App& app, Options& o) {
   using console::add_number;
   add_number(app, "--tcol", o.tcol, "collision time to reach [s]");
   add_number(app, "--en", o.en, "restitution to reach, in (0, 1]");
-  add_choice(app, "--law", o.law, {"all", "linear", "kuwabara-kono", "tsuji", "hysteretic", "fractional"},
-             "law to calibrate (default all)");
+  std::vector<std::string> laws{"all"};
+  laws.insert(laws.end(), Laws::names.begin(), Laws::names.end());
+  add_choice(app, "--law", o.law, laws, "law to calibrate (default all)");
   add_choice(app, "--end", o.end, {"overlap", "force", "both"},
              "what ends the contact (default both for linear, force for the others)");
   add_number(app, "--velocity", o.velocity, "impact velocity [m/s] (default 0.5)");
@@ -91,4 +92,4 @@ void add_options(CLI::App& app, Options& o) {
   group_options(app);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

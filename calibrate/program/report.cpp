@@ -2,10 +2,10 @@
 
 #include <console/number.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
-Infeasible not_offered(LawName law) {
+Infeasible not_offered(LawKind law) {
   return {law, ContactEnd::overlap, "the law is calibrated for a contact ended by force only", "", 0, 0, 0};
 }
 
@@ -41,4 +41,4 @@ std::string render(const Report& report, console::Format format) {
   return console::render_all(tables_of(report), format);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// A law whose computation failed.
 struct Failure {
-  LawName law;
+  LawKind law;
   ContactEnd end;
   std::string reason;
 };
@@ -46,4 +46,4 @@ std::string page_of(const Report& report);
 
 std::string render(const Report& report, console::Format format);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

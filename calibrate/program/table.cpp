@@ -2,7 +2,7 @@
 
 #include <console/number.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::Cell;
@@ -91,14 +91,14 @@ Table check_table(const Report& report) {
 Table infeasible_table(const Report& report) {
   Table table({{"law"}, {"end"}, {"why"}}, "Out of reach");
   for (const auto& missed : report.infeasible)
-    table.row({std::string(text(missed.law)), std::string(text(missed.end)), explained(missed)});
+    table.row({std::string(missed.law.name()), std::string(text(missed.end)), explained(missed)});
   return table;
 }
 
 Table failure_table(const Report& report) {
   Table table({{"law"}, {"end"}, {"why"}}, "Failed");
   for (const auto& failure : report.failed)
-    table.row({std::string(text(failure.law)), std::string(text(failure.end)), failure.reason});
+    table.row({std::string(failure.law.name()), std::string(text(failure.end)), failure.reason});
   return table;
 }
 
@@ -112,4 +112,4 @@ std::vector<Table> tables_of(const Report& report) {
   return tables;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

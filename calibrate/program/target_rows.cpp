@@ -8,35 +8,12 @@
 #include <algorithm>
 #include <charconv>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::BadInput;
 
-constexpr std::array all_laws{LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic,
-                              LawName::fractional};
 constexpr std::size_t most_columns = 32;
-
-AnyLaw specimen(LawName law) {
-  switch (law) {
-    case LawName::linear: return Linear(1, 1);
-    case LawName::kuwabara_kono: return KuwabaraKono(1, 1);
-    case LawName::tsuji: return Tsuji(1, 1);
-    case LawName::hysteretic: return Hysteretic(1, 1);
-    case LawName::fractional: break;
-  }
-  return Fractional(1, 1, 0);
-}
-
-/// The values of `parameters`, without its names.
-struct Values {
-  std::array<double, 3> operator()(const Hysteretic& law) const { return {law.k1(), law.k2(), 0}; }
-  std::array<double, 3> operator()(const Fractional& law) const { return {law.k(), law.c(), law.alpha()}; }
-  template <class Law>
-  std::array<double, 3> operator()(const Law& law) const {
-    return {law.k(), law.c(), 0};
-  }
-};
 
 void append(std::string& out, double value) {
   std::array<char, 32> digits{};
@@ -93,13 +70,13 @@ TargetRows::TargetRows(std::string file, std::size_t line, std::string_view head
     if (std::find(columns_.begin(), columns_.end(), needed) == columns_.end())
       throw BadInput(where + "column " + std::string(names[needed]) + ": missing: must be given");
   const bool any_law = std::find(columns_.begin(), columns_.end(), law) != columns_.end();
-  for (const LawName l : all_laws) {
+  for (const LawKind l : LawKind::all()) {
     if (!any_law && l != defaults_.law) continue;
     std::size_t i = 0;
-    for (const auto& p : parameters(specimen(l))) {
-      const std::string column = p.unit.empty() ? p.name : p.name + " [" + p.unit + "]";
+    for (const Parameter& p : l.parameters()) {
+      const std::string unit = p.unit(), column = std::string(p.name) + (unit.empty() ? "" : " [" + unit + "]");
       const auto same = std::find(parameters_.begin(), parameters_.end(), column);
-      place_[static_cast<std::size_t>(l)][i++] = static_cast<std::size_t>(same - parameters_.begin());
+      place_[l.index()][i++] = static_cast<std::size_t>(same - parameters_.begin());
       if (same == parameters_.end()) parameters_.push_back(column);
     }
   }
@@ -145,7 +122,7 @@ void TargetRows::read(Row& row) const {
   r.end = row.text[end].empty() ? defaults_.end : end_named("end", row.text[end]);
   r.stiffness = defaults_.stiffness;
   if (!row.text[stiffness].empty()) r.stiffness = number(row, stiffness, std::nullopt);
-  if (!offers(r.law, r.end)) throw BadInput("end", text(r.end), "force with the law " + std::string(text(r.law)));
+  if (!r.law.ends().offer(r.end)) throw BadInput("end", text(r.end), "force with the law " + std::string(r.law.name()));
 }
 
 void TargetRows::write(std::string& out, const Row& row, std::string_view status, const AnyLaw* found) const {
@@ -153,7 +130,7 @@ void TargetRows::write(std::string& out, const Row& row, std::string_view status
     if (row.number[field]) append(out, *row.number[field]);
     out += ',';
   }
-  append_text(out, found ? text(row.request.law) : row.text[law]);
+  append_text(out, found ? row.request.law.name() : row.text[law]);
   out += ',';
   append_text(out, found ? text(row.request.end) : row.text[end]);
   out += ',';
@@ -163,9 +140,15 @@ void TargetRows::write(std::string& out, const Row& row, std::string_view status
     out += '\n';
     return;
   }
-  const auto values = std::visit(Values{}, *found);
-  const auto& places = place_[static_cast<std::size_t>(row.request.law)];
-  const std::size_t known = row.request.law == LawName::fractional ? 3 : 2;
+  std::array<double, Laws::most_parameters> values{};
+  const std::size_t known = std::visit(
+      [&](const auto& l) {
+        const auto own = l.values();
+        std::copy(own.begin(), own.end(), values.begin());
+        return own.size();
+      },
+      *found);
+  const auto& places = place_[row.request.law.index()];
   for (std::size_t column = 0; column < parameters_.size(); ++column) {
     out += ',';
     for (std::size_t i = 0; i < known; ++i)
@@ -205,4 +188,4 @@ Answers TargetRows::answer(const console::LineBlocks::Block& block) const {
   return answers;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

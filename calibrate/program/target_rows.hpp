@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// One block of rows, answered.
 struct Answers {
@@ -60,10 +60,10 @@ class TargetRows {
 
   std::string file_;
   TargetDefaults defaults_;
-  std::vector<Field> columns_;                         // of the file
-  std::vector<std::string> parameters_;                // columns of the answer
-  std::array<std::array<std::size_t, 3>, 5> place_{};  // of a law's parameters among them
+  std::vector<Field> columns_;                                                      // of the file
+  std::vector<std::string> parameters_;                                             // columns of the answer
+  std::array<std::array<std::size_t, Laws::most_parameters>, Laws::size> place_{};  // of a law's parameters among them
   const DirectCalibrator& calibrator_;
 };
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -6,22 +6,13 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 AnyLaw with(const AnyLaw& law, std::size_t changed, double value) {
-  std::vector<double> p;
-  for (const Parameter& parameter : parameters(law)) p.push_back(parameter.value);
-  p.at(changed) = value;
-  struct Rebuild {
-    const std::vector<double>& p;
-    AnyLaw operator()(const Linear&) const { return Linear(p[0], p[1]); }
-    AnyLaw operator()(const KuwabaraKono&) const { return KuwabaraKono(p[0], p[1]); }
-    AnyLaw operator()(const Tsuji&) const { return Tsuji(p[0], p[1]); }
-    AnyLaw operator()(const Hysteretic&) const { return Hysteretic(p[0], p[1]); }
-    AnyLaw operator()(const Fractional&) const { return Fractional(p[0], p[1], p[2]); }
-  };
-  return std::visit(Rebuild{p}, law);
+  std::vector<double> all = values(law);
+  all.at(changed) = value;
+  return LawKind::of(law).with(all);
 }
 
 /// The collision with one parameter moved; nothing where there is no such law or its contact does not end.
@@ -88,10 +79,10 @@ struct Stepped {
 std::vector<Sensitivity> sensitivities(const AnyLaw& law, ContactEnd end, const Impact& impact) {
   constexpr double share = 1e-4;
   std::vector<Sensitivity> all;
-  const auto values = parameters(law);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    Sensitivity s{values[i], {}, {}};
-    const double p = values[i].value;
+  const auto of_law = parameters(law);
+  for (std::size_t i = 0; i < of_law.size(); ++i) {
+    Sensitivity s{of_law[i], {}, {}};
+    const double p = of_law[i].value;
     const auto up = moved(law, i, p * (1 + share), end, impact), down = moved(law, i, p * (1 - share), end, impact);
     if (p != 0 && up && down) {
       const double step = std::log1p(share) - std::log1p(-share);
@@ -116,4 +107,4 @@ std::optional<int> steps_for(const std::vector<StepError>& errors, double bound)
   return least;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -10,7 +10,7 @@
 #include <locale>
 #include <sstream>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using support::require;
@@ -31,9 +31,9 @@ void require_settings(const Settings& settings) {
 
 /// k of the linear law that hits the target by force, what the paper gives the fractional law to hold.
 double held_stiffness(const Request& request) {
-  if (request.law != LawName::fractional) return 0;
+  if (request.law != kind_of<Fractional>) return 0;
   if (request.stiffness) return *request.stiffness;
-  const auto linear = solve_directly(LawName::linear, ContactEnd::force, request.target.en);
+  const auto linear = unit_law(kind_of<Linear>, request.target.en, ContactEnd::force);
   const double unit = request.target.impact.mass_eff / (request.target.tcol * request.target.tcol);
   return std::get<Linear>(linear.value().law).k() * unit;
 }
@@ -41,8 +41,9 @@ double held_stiffness(const Request& request) {
 /// The direct solution, unless rounding keeps it from the tolerance.
 std::optional<Solution> reduced(const Request& request, double tolerance) {
   const double en = request.target.en;
-  const auto solved = solve_directly(request.law, request.end, en);
-  return solved && rounding_error(solved->law, request.end, en) <= tolerance ? solved : std::nullopt;
+  const auto solved = unit_law(request.law, en, request.end);
+  if (!solved || rounding_error(solved->law, request.end, en) > tolerance) return std::nullopt;
+  return Solution{solved->law, solved->closed_form ? "closed form" : "bracketed root", solved->collisions};
 }
 
 /// The k that would give c^α k^{1−α} its value alone, at α = 0 [kg/s²].
@@ -109,14 +110,14 @@ std::string two_digits(double value) {
 }
 
 std::string called(const Request& request) {
-  return std::string(text(request.law)) + ", ended by " + std::string(text(request.end));
+  return std::string(request.law.name()) + ", ended by " + std::string(text(request.end));
 }
 
 /// Runs the answer through the numerical collision, and says so where that cannot confirm it to the tolerance.
 void check(Calibration& out, const Request& request, double tolerance) {
   const auto& [tcol, en, impact] = request.target;
   out.achieved = collide(out.law, impact, {request.end, CollideMethod::numerical});
-  const double bound = check_error(out.law, request.end, en);
+  const double bound = rounding_error(out.law, request.end, en) + numerical_error(request.law, request.end, en);
   if (!out.achieved.separated()) {
     const auto status = out.achieved.status;
     out.achieved = collide(out.law, impact, {request.end});
@@ -131,6 +132,14 @@ void check(Calibration& out, const Request& request, double tolerance) {
   }
   out.tcol_residual = (out.achieved.tcol - tcol) / tcol;
   out.en_residual = (out.achieved.en - en) / en;
+}
+
+/// A law in the units of the target brought to SI; `held` is the fractional law's k [kg/s²]. nullopt where a parameter,
+/// such as the c that goes with the held k, is no normal double.
+std::optional<AnyLaw> in_si(const AnyLaw& scaled, const Target& target, double held) {
+  if (const auto* fractional = std::get_if<Fractional>(&scaled))
+    return Reduction<Fractional>::holding(held, *fractional, target.tcol, target.impact.mass_eff);
+  return at_impact(scaled, target.tcol, target.impact);
 }
 
 /// The direct solution in the units of the target.
@@ -153,10 +162,10 @@ void require_request(const Request& request) {
   require_ordinary("velocity", impact.velocity);
   require_ordinary("mass_eff", impact.mass_eff);
   if (request.stiffness) require_ordinary("stiffness", *request.stiffness);
-  if (!offers(request.law, request.end))
+  if (!request.law.ends().offer(request.end))
     throw std::invalid_argument("end = " + std::string(text(request.end)) + ": must be " +
                                 (request.end == ContactEnd::force ? "overlap" : "force") + " for the law " +
-                                std::string(text(request.law)));
+                                std::string(request.law.name()));
 }
 
 std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance) {
@@ -194,4 +203,4 @@ Outcome calibrate(const Request& request, const Settings& settings) {
   return out;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

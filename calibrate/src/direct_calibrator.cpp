@@ -7,17 +7,15 @@
 
 #include <cmath>
 #include <mutex>
-#include <numbers>
 #include <optional>
+#include <tuple>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
-
-using std::numbers::pi;
 
 constexpr double least_en = FractionalContactTable::least_en;
 constexpr double greatest_en = 0.9999;
-static_assert(ReductionTable::greatest_loss > 5.116, "the tables of every law reach down to least_en");
+static_assert(ReductionTable<Linear>::greatest_loss > 5.116, "the tables of every law reach down to least_en");
 
 /// A value that the first thread to need it makes.
 template <class T>
@@ -37,74 +35,87 @@ class Lazy {
 /// −ln e_n, and 0 (not −0) of 1.
 double loss_of(double en) { return 0 - std::log(en); }
 
-AnyLaw linear_by_overlap(const Target& t) {
-  const double loss = loss_of(t.en), unit = t.impact.mass_eff / t.tcol;
-  return Linear((pi * pi + loss * loss) * unit / t.tcol, 2 * loss * unit);
-}
+bool is_tabulated(double en) { return en == 1 || (en >= least_en && en <= greatest_en); }
 
-AnyLaw linear_by_force(const Target& t, const ReductionTable& table) {
-  const double loss = loss_of(t.en), unit = t.impact.mass_eff / t.tcol;
-  return Linear(table.stiffness(loss) * unit / t.tcol, 2 * loss * unit);
-}
+/// A law in the units of the target as a function of e_n, for many targets; nullopt where the slow way has to be gone.
+/// That is so for any law of which no more is known.
+template <class Law>
+struct Tabulated {
+  std::optional<Law> operator()(double /*en*/, ContactEnd) { return std::nullopt; }
+};
 
-/// nullopt where k₂ is no normal double.
-std::optional<AnyLaw> hysteretic(const Target& t) {
-  const double root = 0.5 * pi * (1 + t.en) / t.tcol;
-  const double k1 = root * root * t.impact.mass_eff, k2 = k1 / (t.en * t.en);
-  if (!std::isnormal(k2)) return std::nullopt;
-  return Hysteretic(k1, k2);
-}
+template <>
+struct Tabulated<Hysteretic> {
+  std::optional<Hysteretic> operator()(double en, ContactEnd end) {
+    const auto unit = Reduction<Hysteretic>::unit(en, end);
+    return unit ? std::optional(unit->law) : std::nullopt;
+  }
+};
 
-AnyLaw kuwabara_kono(const Target& t, const ReductionTable& table) {
-  const double loss = loss_of(t.en);
-  const double unit = t.impact.mass_eff / (std::sqrt(t.impact.velocity) * t.tcol * std::sqrt(t.tcol));
-  return KuwabaraKono(table.stiffness(loss) * unit / t.tcol, table.damping(loss) * unit);
-}
+template <class Form>
+struct Tabulated<PowerLaw<Form>> {
+  using Law = PowerLaw<Form>;
+  Lazy<ReductionTable<Law>> by_force, by_overlap;
 
-AnyLaw tsuji(const Target& t, const ReductionTable& table) {
-  const double loss = loss_of(t.en);
-  const double root = std::sqrt(t.impact.velocity * t.tcol);  // (v₀ t)^{1/2}
-  const double unit = t.impact.mass_eff / t.tcol;
-  return Tsuji(table.stiffness(loss) * unit / (root * t.tcol), table.damping(loss) * unit / std::sqrt(root));
-}
+  std::optional<Law> operator()(double en, ContactEnd end) {
+    if (en < least_en) return std::nullopt;
+    const double loss = loss_of(en);
+    if constexpr (std::same_as<Law, Linear>)
+      if (end == ContactEnd::overlap) return Reduction<Law>::unit(en, end)->law;
+    if (!is_tabulated(en)) return std::nullopt;
+    const auto& table = (end == ContactEnd::force ? by_force : by_overlap)(end);
+    if constexpr (std::same_as<Law, Linear>) return Law(table.stiffness(loss), 2 * loss);
+    return Law(table.stiffness(loss), table.damping(loss));
+  }
+};
+
+template <>
+struct Tabulated<Fractional> {
+  Lazy<FractionalContactTable> table;
+
+  std::optional<Fractional> operator()(double en, ContactEnd end) {
+    if (end == ContactEnd::overlap || !is_tabulated(en) || en == 1) return std::nullopt;
+    const auto contact = table()(en);
+    return Fractional(contact.z_star, contact.z_star, contact.alpha);
+  }
+};
+
+template <class List>
+struct TablesOf;
+template <class... L>
+struct TablesOf<LawList<L...>> {
+  using type = std::tuple<Tabulated<L>...>;
+};
 
 }  // namespace
 
 struct DirectCalibrator::Tables {
-  Lazy<ReductionTable> linear, kuwabara_kono, tsuji_by_overlap, tsuji_by_force;
-  Lazy<FractionalContactTable> fractional;
+  TablesOf<Laws>::type of_law;
 
-  const ReductionTable& linear_by_force() { return linear(LawName::linear, ContactEnd::force); }
-
-  /// nullopt where the tables do not reach.
-  std::optional<AnyLaw> fractional_law(const Request& request) {
-    const Target& t = request.target;
-    const double unit = t.impact.mass_eff / (t.tcol * t.tcol);
-    const double held = request.stiffness ? *request.stiffness : linear_by_force().stiffness(loss_of(t.en)) * unit;
-    if (t.en == 1 && !request.stiffness) return Fractional(held, std::sqrt(held * t.impact.mass_eff), 0);
-    if (t.en == 1) return std::nullopt;
-    const auto contact = fractional()(t.en);
-    const double c = held * t.tcol * std::exp(std::log(contact.z_star * unit / held) / contact.alpha);
-    if (!std::isnormal(c)) return std::nullopt;
-    return Fractional(held, c, contact.alpha);
+  /// nullopt where the tables do not reach, or a parameter is no normal double.
+  std::optional<AnyLaw> operator()(const Request& request) {
+    return request.law.visit([&]<class Law>(std::type_identity<Law>) -> std::optional<AnyLaw> {
+      const auto unit = std::get<Tabulated<Law>>(of_law)(request.target.en, request.end);
+      const auto law = unit ? in_si(*unit, request) : std::nullopt;
+      return law ? std::optional<AnyLaw>(*law) : std::nullopt;
+    });
   }
 
-  std::optional<AnyLaw> operator()(const Request& request) {
-    const Target& t = request.target;
-    const bool by_force = request.end == ContactEnd::force;
-    if (request.law == LawName::hysteretic) return hysteretic(t);
-    if (t.en < least_en) return std::nullopt;
-    if (request.law == LawName::linear && !by_force) return linear_by_overlap(t);
-    if (t.en > greatest_en && t.en < 1) return std::nullopt;
-    switch (request.law) {
-      case LawName::linear: return calibrate::linear_by_force(t, linear_by_force());
-      case LawName::kuwabara_kono:
-        return calibrate::kuwabara_kono(t, kuwabara_kono(LawName::kuwabara_kono, ContactEnd::force));
-      case LawName::tsuji: return tsuji(t, (by_force ? tsuji_by_force : tsuji_by_overlap)(LawName::tsuji, request.end));
-      case LawName::hysteretic:
-      case LawName::fractional: break;
-    }
-    return by_force ? fractional_law(request) : std::nullopt;
+  template <class Law>
+  std::optional<Law> in_si(const Law& unit, const Request& request) {
+    return Reduction<Law>::in_si(unit, request.target.tcol, request.target.impact);
+  }
+
+  std::optional<Fractional> in_si(const Fractional& unit, const Request& request) {
+    const auto& [tcol, en, impact] = request.target;
+    const double held = request.stiffness ? *request.stiffness : held_of_linear(request.target);
+    return Reduction<Fractional>::holding(held, unit, tcol, impact.mass_eff);
+  }
+
+  /// k of the linear law that hits the target by force, what the paper gives the fractional law to hold.
+  double held_of_linear(const Target& target) {
+    const auto unit = std::get<Tabulated<Linear>>(of_law)(target.en, ContactEnd::force);
+    return unit->k() * target.impact.mass_eff / (target.tcol * target.tcol);
   }
 };
 
@@ -117,4 +128,4 @@ DirectCalibrator::Answer DirectCalibrator::operator()(const Request& request) co
   return calibrate_directly(request, Settings{}.tolerance);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

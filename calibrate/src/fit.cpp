@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using Eigen::Index;
@@ -213,7 +213,7 @@ void judge(Fit& fit, const VectorXd& residuals) {
 }  // namespace
 
 std::string fit_name(const FitRequest& request) {
-  return std::string(text(request.law)) + (request.alpha_of_speed ? ", alpha(v)" : "");
+  return std::string(request.law.name()) + (request.alpha_of_speed ? ", alpha(v)" : "");
 }
 
 Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data) {
@@ -248,4 +248,4 @@ Prediction predict(const Fit& fit, double velocity) {
   return p;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

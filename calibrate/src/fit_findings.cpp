@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using Eigen::Index;
@@ -44,7 +44,7 @@ bool follows_speed(const Fit& fit, const VectorXd& r, const std::vector<Measurem
 }
 
 bool constant_restitution(const FitRequest& request) {
-  return request.law != LawName::kuwabara_kono && !request.alpha_of_speed;
+  return request.law != kind_of<KuwabaraKono> && !request.alpha_of_speed;
 }
 
 }  // namespace
@@ -52,11 +52,11 @@ bool constant_restitution(const FitRequest& request) {
 void require_fit(const FitRequest& request, const std::vector<Measurement>& data) {
   using support::require;
   support::require_positive("mass_eff", request.mass_eff);
-  if (!offers(request.law, request.end))
+  if (!request.law.ends().offer(request.end))
     throw std::invalid_argument("end = " + std::string(text(request.end)) + ": must be force for the law " +
-                                std::string(text(request.law)));
-  if (request.alpha_of_speed && request.law != LawName::fractional)
-    throw std::invalid_argument("alpha_of_speed = true: must be false for the law " + std::string(text(request.law)));
+                                std::string(request.law.name()));
+  if (request.alpha_of_speed && request.law != kind_of<Fractional>)
+    throw std::invalid_argument("alpha_of_speed = true: must be false for the law " + std::string(request.law.name()));
   require(!data.empty(), "measurements", 0, "at least 1");
   for (const Measurement& m : data) {
     require_scale("velocity", m.velocity);
@@ -86,7 +86,7 @@ std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>
   std::vector<std::string> said;
   const bool with_times = data[0].tcol > 0;
   if (!with_times) said.push_back("no collision times: the stiffness cannot be told, only what sets the restitution");
-  if (fit.request.law == LawName::fractional && !fit.request.alpha_of_speed && with_times)
+  if (fit.request.law == kind_of<Fractional> && !fit.request.alpha_of_speed && with_times)
     said.push_back("k and c cannot be told apart: only c^alpha k^(1-alpha) shows");
   if (fit.errors_known && std::any_of(data.begin(), data.end(), [](const Measurement& m) {
         return m.en_sigma < 10 * model_error || m.tcol_sigma < 10 * model_error * m.tcol;
@@ -107,4 +107,4 @@ std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>
   return said;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using Eigen::Index;
@@ -39,15 +39,8 @@ constexpr double greatest_logit = 6.9;
 /// |ln k|, |ln c|, far outside what times and masses within 10^±50 need and inside what doubles hold.
 constexpr double greatest_log = 400;
 
-const ForwardDamped& forward_damped(LawName law, ContactEnd end) {
-  static const ForwardDamped kuwabara_kono(LawName::kuwabara_kono, ContactEnd::force);
-  if (law == LawName::kuwabara_kono) return kuwabara_kono;
-  static const ForwardDamped by_force(LawName::tsuji, ContactEnd::force);
-  static const ForwardDamped by_overlap(LawName::tsuji, ContactEnd::overlap);
-  return end == ContactEnd::force ? by_force : by_overlap;
-}
-
-/// With times: u = (ln group, ln k). Without: u = (ln group), and k does not matter. `group` is what sets e_n at 1 m/s.
+/// With times: u = (a measure of the loss, ln of the stiffness). Without: u = (the measure), and the stiffness does not
+/// matter.
 class Base : public FitModel {
  public:
   Base(const FitRequest& request, bool with_times) : request_(request), with_times_(with_times) {}
@@ -83,75 +76,65 @@ class Base : public FitModel {
   bool with_times_;
 };
 
-/// group = β.
-class LinearModel : public Base {
+/// e_n and the collision time of a PowerLaw at k = m = v₀ = 1.
+template <class Law>
+Reduced reduced(double log_group, ContactEnd end) {
+  static const ForwardDamped by_force(kind_of<Law>, ContactEnd::force);
+  if (end == ContactEnd::force) return by_force(log_group);
+  static const ForwardDamped by_overlap(kind_of<Law>, ContactEnd::overlap);
+  return by_overlap(log_group);
+}
+
+template <>
+Reduced reduced<Linear>(double log_group, ContactEnd end) {
+  const auto out = collide(Linear(1, std::exp(log_group)), {1, 1}, {end});
+  return {out.en, out.tcol};
+}
+
+/// The measure is ln γ at 1 m/s. With T = (m/(k v^{P−1}))^{1/(P+1)} and γ = c v^Q T^{Q+1}/m, γ goes with
+/// v^{Q − (Q+1)(P−1)/(P+1)}: not at all for the linear law and Tsuji's, with v^{1/5} for Kuwabara and Kono's.
+template <class Law>
+class PowerModel : public Base {
+ public:
+  using Base::Base;
+  Prediction predict(const VectorXd& u, double velocity) const override {
+    const Reduced r = reduced<Law>(u[0] + speed_power * std::log(velocity), request_.end);
+    return {r.en, r.tcol * std::pow(mass() / (stiffness(u) * std::pow(velocity, P - 1)), 1 / (P + 1))};
+  }
+  std::vector<NamedValue> parameters(const VectorXd& u) const override {
+    const double k = stiffness(u), group = std::exp(u[0]);
+    // c = γ m v^{−Q} T^{−Q−1} at v = 1 m/s.
+    if (with_times_) return ricochet::parameters(Law(k, group * mass() * std::pow(k / mass(), (Q + 1) / (P + 1))));
+    return {Law::loss_measure(group)};
+  }
+
+ private:
+  static constexpr double P = Law::stiffness_power, Q = Law::damping_power;
+  static constexpr double speed_power = Q - (Q + 1) * (P - 1) / (P + 1);
+  double greatest_loss() const override { return by_force() ? 20 : std::log(Law::overdamped_from) - 0.02; }
+  double time_power() const override { return P + 1; }
+};
+
+/// Any other law, by `collide` itself; the measure is the loss of its Reduction's coordinates.
+template <class Law>
+class CollidedModel : public Base {
  public:
   using Base::Base;
   Prediction predict(const VectorXd& u, double velocity) const override {
     const auto out = collide(law(u), {velocity, mass()}, {request_.end});
     return {out.en, out.tcol};
   }
-  std::vector<Parameter> parameters(const VectorXd& u) const override {
-    if (with_times_) return calibrate::parameters(law(u));
-    return {{"damping ratio c/(2 sqrt(m k))", std::exp(u[0]), ""}};
-  }
-
- private:
-  double greatest_loss() const override {
-    return by_force() ? 20 : -0.02;
-  }  // by overlap nothing rebounds from β = 1 on
-  Linear law(const VectorXd& u) const {
-    const double k = stiffness(u);
-    return Linear(k, 2 * std::exp(u[0]) * std::sqrt(mass() * k));
-  }
-};
-
-/// group = k₂/k₁ − 1.
-class HystereticModel : public Base {
- public:
-  using Base::Base;
-  Prediction predict(const VectorXd& u, double velocity) const override {
-    const auto out = collide(law(u), {velocity, mass()});
-    return {out.en, out.tcol};
-  }
-  std::vector<Parameter> parameters(const VectorXd& u) const override {
-    if (with_times_) return calibrate::parameters(law(u));
-    return {{"k1/k2", 1 / (1 + std::exp(u[0])), ""}};
+  std::vector<NamedValue> parameters(const VectorXd& u) const override {
+    if (with_times_) return ricochet::parameters(law(u));
+    if constexpr (requires { law(u).loss_measure(); })
+      return {law(u).loss_measure()};
+    else
+      return {ricochet::parameters(law(u))[1]};
   }
 
  private:
   double greatest_loss() const override { return 40; }
-  Hysteretic law(const VectorXd& u) const {
-    const double k = stiffness(u);
-    return Hysteretic(k, k * (1 + std::exp(u[0])));
-  }
-};
-
-/// γ = group v^{s} of a Hertzian spring: T = (m/(k v^{1/2}))^{2/5}, and with the force c ζ^b ζ' γ = c v^b T^{b+1}/m, so
-/// that s = b − (b+1)/5: 1/5 for Kuwabara-Kono (b = 1/2), 0 for Tsuji (b = 1/4).
-class HertzianModel : public Base {
- public:
-  using Base::Base;
-  Prediction predict(const VectorXd& u, double velocity) const override {
-    const Reduced r = forward_damped(request_.law, request_.end)(u[0] + speed_power() * std::log(velocity));
-    return {r.en, r.tcol * std::pow(mass() / (stiffness(u) * std::sqrt(velocity)), 0.4)};
-  }
-  std::vector<Parameter> parameters(const VectorXd& u) const override {
-    const double k = stiffness(u), group = std::exp(u[0]);
-    // c = γ m v^{−b} T^{−b−1} at v = 1 m/s.
-    const double c = group * mass() * std::pow(k / mass(), 0.4 * (exponent() + 1));
-    if (with_times_)
-      return is_kuwabara_kono() ? calibrate::parameters(KuwabaraKono(k, c)) : calibrate::parameters(Tsuji(k, c));
-    if (is_kuwabara_kono()) return {{"c k^(-3/5) m^(-2/5)", group, "(s/m)^(1/5)"}};
-    return {{"damping ratio c/sqrt(5 m k)", group / std::sqrt(5.0), ""}};
-  }
-
- private:
-  double greatest_loss() const override { return by_force() ? 20 : 0.5 * std::log(5.0) - 0.02; }  // γ = √5 β
-  bool is_kuwabara_kono() const { return request_.law == LawName::kuwabara_kono; }
-  double exponent() const { return is_kuwabara_kono() ? 0.5 : 0.25; }
-  double speed_power() const { return exponent() - (exponent() + 1) / 5; }
-  double time_power() const override { return 2.5; }
+  Law law(const VectorXd& u) const { return Reduction<Law>::at({std::log(stiffness(u)), u[0]}); }
 };
 
 /// u = (ln α/(α_max − α), ln c^α k^{1−α}).
@@ -163,8 +146,8 @@ class FractionalModel : public Base {
     const Reduced r = forward_fractional(request_.end)(alpha);
     return {r.en, r.tcol * std::pow(stiffness(u) / mass(), -1 / (2 - alpha))};
   }
-  std::vector<Parameter> parameters(const VectorXd& u) const override {
-    std::vector<Parameter> all{{"alpha", alpha_at(u), ""}};
+  std::vector<NamedValue> parameters(const VectorXd& u) const override {
+    std::vector<NamedValue> all{{"alpha", alpha_at(u), ""}};
     if (with_times_) all.push_back({"c^alpha k^(1-alpha)", stiffness(u), "kg s^(alpha-2)"});
     return all;
   }
@@ -190,8 +173,8 @@ class SpeedModel : public FitModel {
     if (!with_times_) return {r.en, 0};
     return {r.en, r.tcol * std::exp(-(alpha * u[3] + (1 - alpha) * u[2] - std::log(request_.mass_eff)) / (2 - alpha))};
   }
-  std::vector<Parameter> parameters(const VectorXd& u) const override {
-    std::vector<Parameter> all{{"a", u[0], ""}, {"b", u[1], ""}};
+  std::vector<NamedValue> parameters(const VectorXd& u) const override {
+    std::vector<NamedValue> all{{"a", u[0], ""}, {"b", u[1], ""}};
     if (with_times_) {
       all.push_back({"k", std::exp(u[2]), "kg/s^2"});
       all.push_back({"c", std::exp(u[3]), "kg/s"});
@@ -220,16 +203,28 @@ class SpeedModel : public FitModel {
 
 }  // namespace
 
+namespace {
+
+template <class Law>
+struct ModelOf {
+  using type = CollidedModel<Law>;
+};
+template <class Form>
+struct ModelOf<PowerLaw<Form>> {
+  using type = PowerModel<PowerLaw<Form>>;
+};
+template <>
+struct ModelOf<Fractional> {
+  using type = FractionalModel;
+};
+
+}  // namespace
+
 std::unique_ptr<FitModel> fit_model(const FitRequest& request, bool with_times) {
-  switch (request.law) {
-    case LawName::linear: return std::make_unique<LinearModel>(request, with_times);
-    case LawName::hysteretic: return std::make_unique<HystereticModel>(request, with_times);
-    case LawName::kuwabara_kono:
-    case LawName::tsuji: return std::make_unique<HertzianModel>(request, with_times);
-    case LawName::fractional: break;
-  }
   if (request.alpha_of_speed) return std::make_unique<SpeedModel>(request, with_times);
-  return std::make_unique<FractionalModel>(request, with_times);
+  return request.law.visit([&]<class Law>(std::type_identity<Law>) -> std::unique_ptr<FitModel> {
+    return std::make_unique<typename ModelOf<Law>::type>(request, with_times);
+  });
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

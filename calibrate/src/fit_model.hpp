@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// Error of a model's e_n, and relative of its t_col.
 inline constexpr double model_error = 1e-9;
@@ -25,7 +25,7 @@ class FitModel {
   Eigen::Index unknowns() const { return box().low.size(); }
   virtual Prediction predict(const Eigen::VectorXd& u, double velocity) const = 0;
   /// What is told the user, as a function of u: one for each unknown.
-  virtual std::vector<Parameter> parameters(const Eigen::VectorXd& u) const = 0;
+  virtual std::vector<NamedValue> parameters(const Eigen::VectorXd& u) const = 0;
   /// Starting points, among which the fit takes the best: losses from small to great. `velocity` and `tcol` are typical
   /// of the data; tcol is 0 where they have no times.
   virtual std::vector<Eigen::VectorXd> starts(double velocity, double tcol) const = 0;
@@ -34,4 +34,4 @@ class FitModel {
 /// The model of a request; with_times: the data have collision times, so that stiffness can be told.
 std::unique_ptr<FitModel> fit_model(const FitRequest& request, bool with_times);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

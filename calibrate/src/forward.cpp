@@ -1,26 +1,24 @@
 #include "forward.hpp"
 
-#include "solution.hpp"
-
 #include <ricochet/collision/fractional_contact.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 using support::Panel;
 
 namespace {
 
-Reduced collided(LawName law, ContactEnd end, double log_group) {
-  const auto out = unit_collision(law, {0, log_group}, end);
+Reduced collided(LawKind law, ContactEnd end, double log_group) {
+  const auto out = collide(scaled_law(law, {0, log_group}), {1, 1}, {end});
   return {out.en, out.tcol};
 }
 
 }  // namespace
 
-ForwardDamped::ForwardDamped(LawName law, ContactEnd end) : law_(law), end_(end) {
+ForwardDamped::ForwardDamped(LawKind law, ContactEnd end) : law_(law), end_(end) {
   for (std::size_t i = 0; i < count; ++i) {
     const double from = low + static_cast<double>(i) * width, to = from + width;
     Panel::Row en{}, tcol{};
@@ -74,4 +72,4 @@ Reduced ForwardFractional::operator()(double alpha) const {
   return {panel.en(x), panel.tau(x)};
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// e_n and the scaled collision time as functions of a law's dimensionless group.
 struct Reduced {
@@ -18,7 +18,7 @@ struct Reduced {
 /// 1e-10.
 class ForwardDamped {
  public:
-  ForwardDamped(LawName law, ContactEnd end);
+  ForwardDamped(LawKind law, ContactEnd end);
   Reduced operator()(double log_group) const;
 
  private:
@@ -27,7 +27,7 @@ class ForwardDamped {
   struct Pair {
     support::Panel en, tcol;
   };
-  LawName law_;
+  LawKind law_;
   ContactEnd end_;
   std::vector<Pair> panels_;
 };
@@ -52,4 +52,4 @@ class ForwardFractional {
   std::vector<Pair> panels_;
 };
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
-
-double cube(double x) { return x * x * x; }
 
 /// Is e_n far enough from 0 for the tolerance, and every parameter a normal double?
 bool reaches(const Request& request, double en, double tolerance) {
-  const auto found = solve_directly(request.law, request.end, en);
+  const auto found = unit_law(request.law, en, request.end);
   if (!found || rounding_error(found->law, request.end, en) > tolerance) return false;
-  return request.law == LawName::fractional || at_impact(found->law, request.target.tcol, request.target.impact);
+  return request.law == kind_of<Fractional> || at_impact(found->law, request.target.tcol, request.target.impact);
 }
 
 /// The next number of three digits: what is told of a range is reachable to its last digit.
@@ -24,19 +22,6 @@ double rounded_up(double x) {
 }
 
 }  // namespace
-
-double rounding_error(const AnyLaw& law, ContactEnd end, double en) {
-  const bool by_overlap = end == ContactEnd::overlap;
-  if (const auto* fractional = std::get_if<Fractional>(&law))
-    return by_overlap ? 1e-15 / (en * en) : 2e-16 / (1 - fractional->alpha());
-  if (!by_overlap) return 0;
-  return (std::holds_alternative<Tsuji>(law) ? 1e-15 : 1e-16) * cube(-std::log(en));
-}
-
-double check_error(const AnyLaw& law, ContactEnd end, double en) {
-  const bool resolved_in_v0 = std::holds_alternative<Fractional>(law) && end == ContactEnd::force;
-  return 1e-11 + rounding_error(law, end, en) + (resolved_in_v0 ? 1e-14 / en : 0);
-}
 
 Infeasible out_of_reach(const Request& request, double tolerance) {
   double missed = std::log(request.target.en), reached = 0;
@@ -53,4 +38,4 @@ Infeasible out_of_reach(const Request& request, double tolerance) {
           1};
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -1,10 +1,8 @@
 #include "reduction_table.hpp"
 
-#include "solution.hpp"
-
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using support::Panel;
@@ -15,9 +13,10 @@ struct Point {
 };
 
 /// Follows the reduction from loss to loss, each the start of the search for the next.
+template <class Law>
 class Walk {
  public:
-  Walk(LawName law, ContactEnd end, double loss) : law_(law), end_(end), here_(at(std::log(loss))) {}
+  Walk(ContactEnd end, double loss) : end_(end), here_(at(std::log(loss))) {}
 
   /// Secant on ln(loss/target), which is nearly linear in g, from the last two points: three or four collisions.
   const Point& to(double loss) {
@@ -38,52 +37,42 @@ class Walk {
 
  private:
   Point at(double group) const {
-    const auto out = unit_collision(law_, {0, group}, end_);
+    const auto out = collide(Reduction<Law>::at({0, group}), {1, 1}, {end_});
     return {group, -std::log(out.en), out.tcol};
   }
 
-  LawName law_;
   ContactEnd end_;
   Point here_;
   double slope_ = 1;
 };
 
-struct Coefficients {
-  double k, c;
-};
-
-/// Of a damped power law.
-Coefficients coefficients(const AnyLaw& law) {
-  return std::visit(
-      [](const auto& l) -> Coefficients {
-        if constexpr (requires { l.c(); }) return {l.k(), l.c()};
-        return {};
-      },
-      law);
-}
-
 }  // namespace
 
-ReductionTable::ReductionTable(LawName law, ContactEnd end)
-    : elastic_(coefficients(solve_directly(law, end, 1).value().law).k) {
-  Walk walk(law, end, least_loss);
+template <class Law>
+ReductionTable<Law>::ReductionTable(ContactEnd end) : elastic_(Reduction<Law>::unit(1, end).value().law.k()) {
+  Walk<Law> walk(end, least_loss);
   const auto solution = [&](double loss) {
-    // The other laws have their group in closed form.
-    if (law != LawName::kuwabara_kono) return coefficients(solve_directly(law, end, std::exp(-loss)).value().law);
+    // Where the loss has a closed form there is nothing to walk.
+    const auto known = std::isfinite(Law::overdamped_from) ? Reduction<Law>::unit(std::exp(-loss), end) : std::nullopt;
+    if (known) return known->law;
     const Point& point = walk.to(loss);
-    return coefficients(scaled_law(law, with_unit_tcol(law, point.group, point.tcol)));
+    return Reduction<Law>::at(Reduction<Law>::with_unit_tcol(point.group, point.tcol));
   };
   for (int i = 0; low_edge(i) < greatest_loss; ++i) {
     const double low = low_edge(i), high = low_edge(i + 1);
     Panel::Row k{}, c_over_loss{};
     for (std::size_t j = Panel::size; j-- > 0;) {  // the abscissae fall with j
       const double loss = Panel::abscissa(j, low, high);
-      const Coefficients law_at = solution(loss);
-      k[j] = law_at.k;
-      c_over_loss[j] = law_at.c / loss;
+      const Law law = solution(loss);
+      k[j] = law.k();
+      c_over_loss[j] = law.c() / loss;
     }
     panels_.push_back({Panel(k, low, high), Panel(c_over_loss, low, high)});
   }
 }
 
-}  // namespace ricochet::calibrate
+template class ReductionTable<Linear>;
+template class ReductionTable<KuwabaraKono>;
+template class ReductionTable<Tsuji>;
+
+}  // namespace ricochet::calibration

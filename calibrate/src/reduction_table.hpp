@@ -1,24 +1,25 @@
 #pragma once
 
-#include <calibrate/calibration.hpp>
+#include <ricochet/collision/reduction.hpp>
 #include <ricochet/support/panel.hpp>
 
 #include <cmath>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
-/// A damped power law's k and c in the units of the target (m = v₀ = t_col = 1) as functions of the loss λ = −ln e_n.
+/// A PowerLaw's k and c in the units of the target (m = v₀ = t_col = 1) as functions of the loss λ = −ln e_n.
 /// Where a Hertzian contact ends by force, at an overlap like λ (Kuwabara-Kono) or λ^{4/5} (Tsuji), fractional powers
 /// of λ appear in both, so λ = 0 is a branch point: panels are octaves of λ (the Chebyshev coefficients of a function
 /// singular at 0 fall by 5.8 each on [1, 2]) up to λ = 1/2, and of equal width from there on. They hold polynomials
 /// through values of the numerical collision. Error: 1e-11 relative, 1e-14/λ more in c.
+template <class Law>
 class ReductionTable {
  public:
   static constexpr double least_loss = 0x1p-14;   ///< e_n = 0.99994
   static constexpr double greatest_loss = 5.375;  ///< e_n = 0.0046
 
-  ReductionTable(LawName law, ContactEnd end);
+  explicit ReductionTable(ContactEnd end);
 
   // loss = 0 or in [least_loss, greatest_loss)
   double stiffness(double loss) const { return loss == 0 ? elastic_ : panel(loss).k(loss); }
@@ -43,4 +44,4 @@ class ReductionTable {
   std::vector<Pair> panels_;
 };
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

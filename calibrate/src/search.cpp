@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using Point = std::array<double, 2>;
@@ -21,7 +21,7 @@ struct Residual {
 /// The search's view of the problem, and the best point it has seen.
 class Problem {
  public:
-  Problem(LawName law, ContactEnd end, double en) : law_(law), end_(end), target_loss_(-std::log(en)) {}
+  Problem(LawKind law, ContactEnd end, double en) : law_(law), end_(end), target_loss_(-std::log(en)) {}
 
   /// 2 unknowns; the elastic law has the stiffness alone.
   unsigned unknowns() const { return target_loss_ > 0 ? 2 : 1; }
@@ -73,7 +73,7 @@ class Problem {
     return std::log(std::max(loss, 1e-300) / target_loss_);
   }
 
-  LawName law_;
+  LawKind law_;
   ContactEnd end_;
   double target_loss_;
   std::size_t evaluations_ = 0;
@@ -113,7 +113,7 @@ const std::vector<std::string>& algorithms() {
   return names;
 }
 
-Solution search(LawName law, ContactEnd end, double en, const std::string& algorithm, double tolerance) {
+Solution search(LawKind law, ContactEnd end, double en, const std::string& algorithm, double tolerance) {
   Problem problem(law, end, en);
   const auto chosen = static_cast<nlopt::algorithm>(nlopt_algorithm_from_string(algorithm.c_str()));
   // A residual of `tolerance` in ln t is one of t; in ln ln e it is one of ln e, so |ln e| times that of e.
@@ -129,4 +129,4 @@ Solution search(LawName law, ContactEnd end, double en, const std::string& algor
   return {scaled_law(law, problem.coordinates(problem.best())), algorithm, problem.evaluations()};
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "family.hpp"
+#include <calibrate/calibration.hpp>
 
 #include <string>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// What a method found, in the units of the target.
 struct Solution {
@@ -13,14 +13,11 @@ struct Solution {
   std::size_t evaluations;  ///< collisions tried
 };
 
-/// The reduction of `unit_law`: the one dimensionless group from e_n, then the scale. nullopt as there.
-std::optional<Solution> solve_directly(LawName law, ContactEnd end, double en);
-
 /// The search; its best point, whether or not it met the tolerance.
-Solution search(LawName law, ContactEnd end, double en, const std::string& algorithm, double tolerance);
+Solution search(LawKind law, ContactEnd end, double en, const std::string& algorithm, double tolerance);
 
 /// The collision of a law in the units of the target.
-inline Collision unit_collision(LawName law, const Coordinates& x, ContactEnd end) {
+inline Collision unit_collision(LawKind law, const Coordinates& x, ContactEnd end) {
   return collide(scaled_law(law, x), {1, 1}, {end});
 }
 
@@ -31,4 +28,4 @@ void require_request(const Request& request);
 /// The law by the direct reduction alone, where doubles carry it to the tolerance; the request is a valid one.
 std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -5,18 +5,18 @@
 #include <numbers>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 
 namespace {
 
 struct Case {
-  LawName law;
+  LawKind law;
   ContactEnd end;
 };
-constexpr Case tabulated[] = {{LawName::linear, ContactEnd::overlap},      {LawName::linear, ContactEnd::force},
-                              {LawName::kuwabara_kono, ContactEnd::force}, {LawName::tsuji, ContactEnd::overlap},
-                              {LawName::tsuji, ContactEnd::force},         {LawName::hysteretic, ContactEnd::force},
-                              {LawName::fractional, ContactEnd::force}};
+constexpr Case tabulated[] = {{kind_of<Linear>, ContactEnd::overlap},     {kind_of<Linear>, ContactEnd::force},
+                              {kind_of<KuwabaraKono>, ContactEnd::force}, {kind_of<Tsuji>, ContactEnd::overlap},
+                              {kind_of<Tsuji>, ContactEnd::force},        {kind_of<Hysteretic>, ContactEnd::force},
+                              {kind_of<Fractional>, ContactEnd::force}};
 
 AnyLaw by_table(const DirectCalibrator& calibrator, const Request& request) {
   const auto answer = calibrator(request);
@@ -52,7 +52,7 @@ TEST_CASE("the tables agree with the slow path on every law, end and panel") {
       const double loss = 1.0001e-4 * std::pow(5.1159 / 1.0001e-4, i / static_cast<double>(points));
       const double tcol = std::pow(10, -9 + 0.1 * i), velocity = std::pow(10, 0.07 * i - 3);
       const Request request{c.law, c.end, {tcol, std::exp(-loss), {velocity, 3e-5 * velocity}}};
-      CAPTURE(text(c.law), text(c.end), request.target.en);
+      CAPTURE(c.law.name(), text(c.end), request.target.en);
       // Two collisions' rounding, 1e-14 each, is all that either knows of the loss.
       CHECK(difference(by_table(calibrator, request), slowly(request)) < 1e-11 + 2e-14 / loss);
     }
@@ -63,7 +63,7 @@ TEST_CASE("a tabulated law does what it was asked for, by the numerical collisio
   for (const auto& c : tabulated)
     for (const double en : {0.0061, 0.03, 0.2, 0.5, 0.77, 0.95, 0.999, 1.0}) {
       const Request request{c.law, c.end, {2e-4, en, {1.3, 4e-3}}};
-      CAPTURE(text(c.law), text(c.end), en);
+      CAPTURE(c.law.name(), text(c.end), en);
       const auto out = collide(by_table(calibrator, request), request.target.impact, {c.end, CollideMethod::numerical});
       CHECK(out.tcol == Approx(2e-4).epsilon(2e-11));
       CHECK(out.en == Approx(en).epsilon(2e-11));
@@ -72,7 +72,7 @@ TEST_CASE("a tabulated law does what it was asked for, by the numerical collisio
 
 TEST_CASE("a stiffness to hold is held, and its c made to fit") {
   const DirectCalibrator calibrator;
-  const Request request{LawName::fractional, ContactEnd::force, {1e-4, 0.5, {0.5, 7e-6}}, 1234.0};
+  const Request request{kind_of<Fractional>, ContactEnd::force, {1e-4, 0.5, {0.5, 7e-6}}, 1234.0};
   const auto law = std::get<Fractional>(by_table(calibrator, request));
   CHECK(law.k() == 1234);
   CHECK(difference(law, slowly(request)) < 1e-11);
@@ -81,17 +81,17 @@ TEST_CASE("a stiffness to hold is held, and its c made to fit") {
 TEST_CASE("what the tables leave out is answered as calibrate answers it") {
   const DirectCalibrator calibrator;
   const Impact impact{0.5, 7e-6};
-  for (const Request& request : {Request{LawName::fractional, ContactEnd::overlap, {1e-4, 0.5, impact}},
-                                 Request{LawName::tsuji, ContactEnd::force, {1e-4, 0.001, impact}},
-                                 Request{LawName::kuwabara_kono, ContactEnd::force, {1e-4, 0.99999, impact}},
-                                 Request{LawName::fractional, ContactEnd::force, {1e-4, 0.99999, impact}}})
+  for (const Request& request : {Request{kind_of<Fractional>, ContactEnd::overlap, {1e-4, 0.5, impact}},
+                                 Request{kind_of<Tsuji>, ContactEnd::force, {1e-4, 0.001, impact}},
+                                 Request{kind_of<KuwabaraKono>, ContactEnd::force, {1e-4, 0.99999, impact}},
+                                 Request{kind_of<Fractional>, ContactEnd::force, {1e-4, 0.99999, impact}}})
     CHECK(difference(by_table(calibrator, request), slowly(request)) < 1e-11 + 2e-14 / -std::log(request.target.en));
-  for (const LawName law : {LawName::linear, LawName::hysteretic, LawName::fractional}) {
+  for (const LawKind law : {kind_of<Linear>, kind_of<Hysteretic>, kind_of<Fractional>}) {
     CHECK(std::holds_alternative<Infeasible>(calibrator({law, ContactEnd::force, {1e-4, 1e-320, impact}})));
     for (const double en : {0.0025, 0.003, 0.0033, 0.004, 0.0051, 1e-6})
       CHECK(std::holds_alternative<AnyLaw>(calibrator({law, ContactEnd::force, {1e-4, en, impact}})));
   }
-  const auto spring = calibrator({LawName::fractional, ContactEnd::force, {1e-4, 1, impact}, 1.0});
+  const auto spring = calibrator({kind_of<Fractional>, ContactEnd::force, {1e-4, 1, impact}, 1.0});
   REQUIRE(std::holds_alternative<Infeasible>(spring));
   CHECK(std::get<Infeasible>(spring).quantity == "stiffness");
 }
@@ -99,9 +99,9 @@ TEST_CASE("what the tables leave out is answered as calibrate answers it") {
 TEST_CASE("the direct calibrator names what it cannot use") {
   const DirectCalibrator calibrator;
   const Impact impact{0.5, 7e-6};
-  CHECK_THROWS_WITH(calibrator({LawName::linear, ContactEnd::force, {0, 0.5, impact}}),
+  CHECK_THROWS_WITH(calibrator({kind_of<Linear>, ContactEnd::force, {0, 0.5, impact}}),
                     Catch::StartsWith("tcol = 0: must be"));
-  CHECK_THROWS_WITH(calibrator({LawName::linear, ContactEnd::force, {1, 2, impact}}), "en = 2: must be in (0, 1]");
-  CHECK_THROWS_WITH(calibrator({LawName::hysteretic, ContactEnd::overlap, {1, 0.5, impact}}),
+  CHECK_THROWS_WITH(calibrator({kind_of<Linear>, ContactEnd::force, {1, 2, impact}}), "en = 2: must be in (0, 1]");
+  CHECK_THROWS_WITH(calibrator({kind_of<Hysteretic>, ContactEnd::overlap, {1, 0.5, impact}}),
                     "end = overlap: must be force for the law hysteretic");
 }

@@ -8,7 +8,7 @@
 #include <random>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 
 namespace {
 
@@ -40,14 +40,14 @@ std::vector<Measurement> measured(const AnyLaw& law, double en_sigma, double tco
 }
 
 struct Truth {
-  LawName name;
+  LawKind name;
   AnyLaw law;
 };
-const Truth truths[] = {{LawName::linear, Linear(5000, 0.1)},
-                        {LawName::kuwabara_kono, KuwabaraKono(1.4e6, 30)},
-                        {LawName::tsuji, Tsuji(1.4e6, 2)},
-                        {LawName::hysteretic, Hysteretic(4000, 9000)},
-                        {LawName::fractional, Fractional(5000, 0.3, 0.3)}};
+const Truth truths[] = {{kind_of<Linear>, Linear(5000, 0.1)},
+                        {kind_of<KuwabaraKono>, KuwabaraKono(1.4e6, 30)},
+                        {kind_of<Tsuji>, Tsuji(1.4e6, 2)},
+                        {kind_of<Hysteretic>, Hysteretic(4000, 9000)},
+                        {kind_of<Fractional>, Fractional(5000, 0.3, 0.3)}};
 
 }  // namespace
 
@@ -93,7 +93,7 @@ TEST_CASE("an alpha that follows the speed is recovered, and tells k from c") {
     const double tcol = contact.tau * std::pow(A, -1 / (2 - alpha));
     data.push_back({v, contact.en, 0.01, tcol, 0.01 * tcol});
   }
-  FitRequest request{LawName::fractional, ContactEnd::force, mass, true};
+  FitRequest request{kind_of<Fractional>, ContactEnd::force, mass, true};
   const Fit fit = fit_law(request, data);
   REQUIRE(fit.parameters.size() == 4);
   CHECK(fit.parameters[0].value == Approx(a).epsilon(1e-5));
@@ -113,7 +113,7 @@ TEST_CASE("an alpha that follows the speed is recovered, and tells k from c") {
 }
 
 TEST_CASE("ended by overlap the laws that offer it are recovered") {
-  const Truth ended[] = {truths[0], truths[2], {LawName::fractional, Fractional(5000, 0.3, 0.3)}};
+  const Truth ended[] = {truths[0], truths[2], {kind_of<Fractional>, Fractional(5000, 0.3, 0.3)}};
   for (const Truth& truth : ended) {
     std::vector<Measurement> data;
     for (const double v : speeds(8)) {
@@ -131,14 +131,14 @@ TEST_CASE("ended by overlap the laws that offer it are recovered") {
   for (const double v : speeds(8))
     data.push_back(
         {v, fractional_contact(overlap_limit / (1 + std::exp(-a - b * std::log(v))), ContactEnd::overlap).en});
-  const Fit fit = fit_law({LawName::fractional, ContactEnd::overlap, mass, true}, data);
+  const Fit fit = fit_law({kind_of<Fractional>, ContactEnd::overlap, mass, true}, data);
   CHECK(fit.parameters.at(0).value == Approx(a).epsilon(1e-5));
   CHECK(fit.parameters.at(1).value == Approx(b).epsilon(1e-5));
 }
 
 TEST_CASE("the fit's own collisions are those of the laws, to 1e-9") {
   // u = (ln of what sets e_n, ln k), as in the fit.
-  const auto predicted = [](LawName name, ContactEnd end, double loss, double velocity) {
+  const auto predicted = [](LawKind name, ContactEnd end, double loss, double velocity) {
     Fit fit{};
     fit.request = {name, end, mass};
     fit.solution = {loss, std::log(7000.0)};
@@ -150,7 +150,7 @@ TEST_CASE("the fit's own collisions are those of the laws, to 1e-9") {
       const double limit = end == ContactEnd::force ? 1 : overlap_limit;
       const double alpha = limit / (1 + std::exp(-loss));
       const Collision exact = collide(Fractional(7000, 7000, alpha), {0.5, mass}, {end});
-      const Prediction p = predicted(LawName::fractional, end, loss, 0.5);
+      const Prediction p = predicted(kind_of<Fractional>, end, loss, 0.5);
       CAPTURE(loss, text(end));
       CHECK(p.en == Approx(exact.en).margin(1e-9).epsilon(0));
       CHECK(p.tcol == Approx(exact.tcol).epsilon(1e-9));
@@ -161,8 +161,8 @@ TEST_CASE("the fit's own collisions are those of the laws, to 1e-9") {
         collide(KuwabaraKono(7000, std::exp(gamma) * mass * std::pow(time, -1.5)), {0.5, mass});
     const Collision tsuji = collide(Tsuji(7000, std::exp(gamma) * mass * std::pow(time, -1.25)), {0.5, mass});
     CAPTURE(gamma);
-    const Prediction k = predicted(LawName::kuwabara_kono, ContactEnd::force, gamma, 0.5);
-    const Prediction t = predicted(LawName::tsuji, ContactEnd::force, gamma, 0.5);
+    const Prediction k = predicted(kind_of<KuwabaraKono>, ContactEnd::force, gamma, 0.5);
+    const Prediction t = predicted(kind_of<Tsuji>, ContactEnd::force, gamma, 0.5);
     CHECK(k.en == Approx(kuwabara_kono.en).margin(1e-9).epsilon(0));
     CHECK(k.tcol == Approx(kuwabara_kono.tcol).epsilon(1e-9));
     CHECK(t.en == Approx(tsuji.en).margin(1e-9).epsilon(0));
@@ -175,17 +175,17 @@ TEST_CASE("what the data cannot tell is said") {
     return std::any_of(fit.findings.begin(), fit.findings.end(),
                        [&](const std::string& finding) { return finding.find(what) != std::string::npos; });
   };
-  const FitRequest follows{LawName::fractional, ContactEnd::force, mass, true};
+  const FitRequest follows{kind_of<Fractional>, ContactEnd::force, mass, true};
   CHECK_THROWS_WITH(fit_law(follows, {{1, 0.5}, {1, 0.4}, {1, 0.45}}),
                     "b has no effect on these data, which cannot tell it");
   CHECK_THROWS_WITH(fit_law(follows, {{2, 0.5}, {2, 0.4}, {2, 0.45}}), "these data cannot tell a and b apart");
-  for (const LawName law :
-       {LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic, LawName::fractional}) {
-    CAPTURE(text(law));
+  for (const LawKind law :
+       {kind_of<Linear>, kind_of<KuwabaraKono>, kind_of<Tsuji>, kind_of<Hysteretic>, kind_of<Fractional>}) {
+    CAPTURE(law.name());
     CHECK(
         said(fit_law({law, ContactEnd::force, mass}, {{1, 1, 0.01}, {2, 1, 0.01}, {4, 1, 0.01}}), "end of its range"));
     const Fit timed = fit_law({law, ContactEnd::force, mass}, {{1, 1, 0.01, 1e-4, 1e-6}, {1, 1, 0.01, 1e-4, 1e-6}});
-    const char* loss = law == LawName::hysteretic ? "k" : law == LawName::fractional ? "alpha" : "c";
+    const char* loss = law == kind_of<Hysteretic> ? "k" : law == kind_of<Fractional> ? "alpha" : "c";
     CHECK(std::any_of(timed.findings.begin(), timed.findings.end(), [&](const std::string& finding) {
       return finding.starts_with(loss) && finding.find("end of its range") != std::string::npos;
     }));
@@ -196,19 +196,19 @@ TEST_CASE("what the data cannot tell is said") {
   // No scatter at all: errors are 0, correlations stay what they are, and no law is hundreds of AIC better for its
   // rounding.
   const std::vector<Measurement> equal{{1, 0.5}, {2, 0.5}, {4, 0.5}, {8, 0.5}};
-  const Fit linear = fit_law({LawName::linear, ContactEnd::force, mass}, equal), two = fit_law(follows, equal);
+  const Fit linear = fit_law({kind_of<Linear>, ContactEnd::force, mass}, equal), two = fit_law(follows, equal);
   CHECK(std::abs(two.correlations.at(0).at(1)) < 1);
   CHECK(two.aic - linear.aic == Approx(2));
   CHECK_FALSE(said(linear, "misfit"));
   // A law that follows the speed can miss, too.
-  CHECK(said(fit_law({LawName::kuwabara_kono, ContactEnd::force, mass}, equal),
+  CHECK(said(fit_law({kind_of<KuwabaraKono>, ContactEnd::force, mass}, equal),
              "what the law leaves over follows the speed"));
 }
 
 TEST_CASE("errors and correlations are those of a parametric bootstrap") {
   std::mt19937_64 random(5);
   const auto data = measured(truths[1].law, 0.01, 0.02, random);
-  const FitRequest request{LawName::kuwabara_kono, ContactEnd::force, mass};
+  const FitRequest request{kind_of<KuwabaraKono>, ContactEnd::force, mass};
   const Fit fit = fit_law(request, data);
   constexpr int samples = 400;
   std::normal_distribution<double> normal;
@@ -245,7 +245,7 @@ TEST_CASE("a fit of one number is judged by the textbook's formulas") {
   const auto fitted = [&](double sigma) {
     std::vector<Measurement> data;
     for (std::size_t i = 0; i < en.size(); ++i) data.push_back({0.1 * static_cast<double>(i + 1), en[i], sigma});
-    return fit_law({LawName::linear, ContactEnd::overlap, mass}, data);
+    return fit_law({kind_of<Linear>, ContactEnd::overlap, mass}, data);
   };
   const double beta = damping_of_restitution(mean, ContactEnd::overlap);
   const double slope = (restitution_of_damping(beta + 1e-6, ContactEnd::overlap) -
@@ -268,18 +268,18 @@ TEST_CASE("a fit of one number is judged by the textbook's formulas") {
 }
 
 TEST_CASE("a fit names what it cannot use") {
-  const FitRequest request{LawName::linear, ContactEnd::force, mass};
+  const FitRequest request{kind_of<Linear>, ContactEnd::force, mass};
   CHECK_THROWS_WITH(fit_law(request, {}), "measurements = 0: must be at least 1");
   CHECK_THROWS_WITH(fit_law(request, {{1, 0.5, 0.1}}),
                     "observations = 1: must be more than the parameters of linear, 1");
   CHECK_THROWS_WITH(fit_law(request, {{1e31, 0.5}, {2, 0.5}}), "velocity = 1e+31: must be in [1e-30, 1e30]");
-  CHECK_THROWS_WITH(fit_law({LawName::tsuji, ContactEnd::force, mass, true}, {{1, 0.5}, {2, 0.5}}),
+  CHECK_THROWS_WITH(fit_law({kind_of<Tsuji>, ContactEnd::force, mass, true}, {{1, 0.5}, {2, 0.5}}),
                     "alpha_of_speed = true: must be false for the law tsuji");
   CHECK_THROWS_WITH(fit_law(request, {{1, 1.5}, {2, 0.5}}), "en = 1.5: must be in (0, 1]");
   CHECK_THROWS_WITH(fit_law(request, {{-1, 0.5}, {2, 0.5}}), "velocity = -1: must be finite and > 0");
   CHECK_THROWS_WITH(fit_law(request, {{1, 0.5, 0.1}, {2, 0.5}}), Catch::StartsWith("en_sigma = 0: must be"));
   CHECK_THROWS_WITH(fit_law(request, {{1, 0.5, 0, 1e-4, 1e-6}, {2, 0.5, 0, 1e-4, 1e-6}}),
                     Catch::StartsWith("en_sigma = 0: must be"));
-  CHECK_THROWS_WITH(fit_law({LawName::hysteretic, ContactEnd::overlap, mass}, {{1, 0.5}, {2, 0.5}}),
+  CHECK_THROWS_WITH(fit_law({kind_of<Hysteretic>, ContactEnd::overlap, mass}, {{1, 0.5}, {2, 0.5}}),
                     "end = overlap: must be force for the law hysteretic");
 }

@@ -10,7 +10,7 @@
 #include <cmath>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 
 namespace {
 
@@ -19,10 +19,10 @@ void expect(bool ok, const char* what) {
 }
 
 FitRequest request_of(std::size_t choice) {
-  constexpr std::array laws{LawName::linear,     LawName::kuwabara_kono, LawName::tsuji,
-                            LawName::hysteretic, LawName::fractional,    LawName::fractional};
+  constexpr std::array laws{kind_of<Linear>,     kind_of<KuwabaraKono>, kind_of<Tsuji>,
+                            kind_of<Hysteretic>, kind_of<Fractional>,   kind_of<Fractional>};
   FitRequest request{laws[choice % 6], ContactEnd::force, 7e-6, choice % 6 == 5};
-  if (choice % 4 == 3 && offers(request.law, ContactEnd::overlap)) request.end = ContactEnd::overlap;
+  if (choice % 4 == 3 && request.law.ends().offer(ContactEnd::overlap)) request.end = ContactEnd::overlap;
   return request;
 }
 

@@ -1,7 +1,7 @@
 #include <pair_law.hpp>
 
 #include <ricochet/collision/fractional_contact.hpp>
-#include <ricochet/contact/linear.hpp>
+#include <ricochet/contact/power_law.hpp>
 #include <ricochet/collision/collision.hpp>
 
 #include <catch2/catch.hpp>

@@ -15,7 +15,7 @@
 #include <string>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 using workloads::PressedColumn;
 
 namespace {
@@ -62,7 +62,7 @@ void mittag_leffler_paths() {
 
 void direct_calibration() {
   const DirectCalibrator calibrator;
-  const auto direct = [&](const std::string& name, LawName law, ContactEnd end) {
+  const auto direct = [&](const std::string& name, LawKind law, ContactEnd end) {
     std::vector<Request> requests;
     for (const double en : workloads::arguments(0.01, 0.99, 500))
       requests.push_back({law, end, {1e-5 * (1 + en), en, {0.5, 7.06858e-6}}});
@@ -70,21 +70,21 @@ void direct_calibration() {
       for (const Request& r : requests) sink = static_cast<double>(calibrator(r).index());
     });
   };
-  direct("direct_linear", LawName::linear, ContactEnd::force);
-  direct("direct_hysteretic", LawName::hysteretic, ContactEnd::force);
-  direct("direct_kuwabara_kono", LawName::kuwabara_kono, ContactEnd::force);
-  direct("direct_tsuji", LawName::tsuji, ContactEnd::force);
-  direct("direct_fractional", LawName::fractional, ContactEnd::force);
+  direct("direct_linear", kind_of<Linear>, ContactEnd::force);
+  direct("direct_hysteretic", kind_of<Hysteretic>, ContactEnd::force);
+  direct("direct_kuwabara_kono", kind_of<KuwabaraKono>, ContactEnd::force);
+  direct("direct_tsuji", kind_of<Tsuji>, ContactEnd::force);
+  direct("direct_fractional", kind_of<Fractional>, ContactEnd::force);
 }
 
 void nlopt_calibration() {
-  const auto nlopt = [](const std::string& name, LawName law) {
+  const auto nlopt = [](const std::string& name, LawKind law) {
     count_warm(name, 1, [&] {
       sink = static_cast<double>(calibrate({law, ContactEnd::force, {1e-4, 0.5, {0.5, 7.06858e-6}}}).index());
     });
   };
-  nlopt("nlopt_kuwabara_kono", LawName::kuwabara_kono);
-  nlopt("nlopt_fractional", LawName::fractional);
+  nlopt("nlopt_kuwabara_kono", kind_of<KuwabaraKono>);
+  nlopt("nlopt_fractional", kind_of<Fractional>);
 }
 
 void target_rows() {
@@ -119,9 +119,9 @@ void column(const std::string& name, const Law& plate, const Law& pair) {
 }
 
 void columns() {
-  column("column_linear", PressedColumn::plate<Linear>(LawKind::linear), PressedColumn::pair<Linear>(LawKind::linear));
-  const auto plate = PressedColumn::plate<Fractional>(LawKind::fractional);
-  const auto pair = PressedColumn::pair<Fractional>(LawKind::fractional);
+  column("column_linear", PressedColumn::plate<Linear>(kind_of<Linear>), PressedColumn::pair<Linear>(kind_of<Linear>));
+  const auto plate = PressedColumn::plate<Fractional>(kind_of<Fractional>);
+  const auto pair = PressedColumn::pair<Fractional>(kind_of<Fractional>);
   const MemoryKernel kernel = workloads::kernel_of(12, pair.alpha(), PressedColumn::step);
   column("column_fractional", FractionalArms(plate, kernel, PressedColumn::step),
          FractionalArms(pair, kernel, PressedColumn::step));

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <ricochet/contact/any_law.hpp>
-#include <ricochet/collision/tuned_law.hpp>
+#include <ricochet/contact/laws.hpp>
+#include <ricochet/collision/reduction.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -11,12 +11,8 @@
 #include <variant>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
-using LawName = LawKind;
-
-/// "linear", "kuwabara-kono", …: as the laws call themselves.
-std::string_view text(LawName law) noexcept;
 /// "overlap" or "force".
 std::string_view text(ContactEnd end) noexcept;
 
@@ -33,7 +29,7 @@ struct Target {
 };
 
 struct Request {
-  LawName law = LawName::linear;
+  LawKind law;
   ContactEnd end = ContactEnd::force;
   Target target;
   std::optional<double> stiffness = {};  ///< fractional: the k to hold [kg/s²]; default: linear's, ended by force
@@ -53,19 +49,6 @@ struct Settings {
 /// and NEWUOA refuses one unknown.
 const std::vector<std::string>& algorithms();
 
-/// One parameter of a law under its published name, in SI units.
-struct Parameter {
-  std::string name;
-  double value;
-  std::string unit;
-};
-
-/// The parameters of a law in their usual order: k, c for linear, kuwabara-kono and tsuji; k1, k2; k, c, alpha.
-std::vector<Parameter> parameters(const AnyLaw& law);
-
-/// What (tcol, en) determine: the parameters themselves, but alpha and c^alpha k^(1-alpha) for the fractional law.
-std::vector<Parameter> identifiable(const AnyLaw& law);
-
 struct Calibration {
   AnyLaw law;
   ContactEnd end;
@@ -83,7 +66,7 @@ struct Calibration {
 
 /// A target outside what the law can do.
 struct Infeasible {
-  LawName law;
+  LawKind law;
   ContactEnd end;
   std::string reason;
   /// What is out of range ("en", "stiffness"), its value and the range computed for it; empty: this end is not offered.
@@ -118,4 +101,4 @@ class NotConverged : public std::runtime_error {
 /// the law does not offer; NotConverged when the check contradicts the answer.
 Outcome calibrate(const Request& request, const Settings& settings = {});
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

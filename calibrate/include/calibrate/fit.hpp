@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// One measured impact; numbers in [1e-30, 1e30]. Standard errors 0: not known (then of all, and without collision
 /// times).
@@ -20,7 +20,7 @@ struct Measurement {
 
 /// Which law is fitted, and how.
 struct FitRequest {
-  LawName law;
+  LawKind law;
   ContactEnd end = ContactEnd::force;
   double mass_eff;  ///< [kg], > 0
   /// Fractional only: the paper's idea of an α that follows the impact, as ln(α/(α_max−α)) = a + b ln(v/(1 m/s)), where
@@ -79,4 +79,4 @@ Prediction predict(const Fit& fit, double velocity);
 /// "kuwabara-kono", …, "fractional, alpha(v)".
 std::string fit_name(const FitRequest& request);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <ricochet/contact/power_law.hpp>
+
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace ricochet::collision {
 
@@ -79,18 +82,27 @@ struct StronglyDampedPower {
   }
 };
 
-using LinearMotion = DampedPower<1, 0, 1>;
-using KuwabaraKonoMotion = DampedPower<2, 1, 2>;
-using TsujiMotion = DampedPower<4, 1, 5>;
+/// The motion of a form of PowerLaw: with ζ = y^P the powers of y are whole.
+template <class Form>
+struct MotionOfForm {
+  static constexpr int spring = Form::stiffness_quarters, dashpot = Form::damping_quarters;
+  static constexpr int p = 4 / std::gcd(4, std::gcd(spring, dashpot)), q = p * dashpot / 4;
+  using type = DampedPower<p, q, p * spring / 4 - q>;
+};
+template <class Form>
+using MotionOf = typename MotionOfForm<Form>::type;
 
-/// From this γ on the overlap never returns to zero: damping ratio 1 of the linear law and, in ζ^{5/4}, of Tsuji's.
-/// Kuwabara and Kono's, whose damping grows weak as ζ → 0, always lets it return.
+using LinearMotion = MotionOf<LinearForm>;
+using KuwabaraKonoMotion = MotionOf<KuwabaraKonoForm>;
+using TsujiMotion = MotionOf<TsujiForm>;
+
+/// From this γ on the overlap never returns to zero.
 template <class Motion>
 inline constexpr double overdamped_from = std::numeric_limits<double>::infinity();
 template <>
-inline constexpr double overdamped_from<LinearMotion> = 2;
+inline constexpr double overdamped_from<LinearMotion> = Linear::overdamped_from;
 template <>
-inline constexpr double overdamped_from<TsujiMotion> = 2.23606797749978969641;  // √5
+inline constexpr double overdamped_from<TsujiMotion> = Tsuji::overdamped_from;
 
 /// T of a damped power law's impact [s].
 template <class Motion>

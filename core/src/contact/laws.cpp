@@ -1,54 +1,113 @@
-#include <ricochet/contact/any_law.hpp>
+#include <ricochet/contact/laws.hpp>
 #include <ricochet/support/require.hpp>
 
-#include <array>
+#include <algorithm>
 
 namespace ricochet {
 
-using support::require;
-using support::require_not_negative;
-using support::require_positive;
-
 static_assert(ContactLaw<Linear> && ContactLaw<KuwabaraKono> && ContactLaw<Tsuji> && ContactLaw<Hysteretic>);
 
-Linear::Linear(double k, double c) : k_(k), c_(c) {
-  require_positive("k", k);
-  require_not_negative("c", c);
-}
-
-KuwabaraKono::KuwabaraKono(double k, double c) : k_(k), c_(c) {
-  require_positive("k", k);
-  require_not_negative("c", c);
-}
-
-Tsuji::Tsuji(double k, double c) : k_(k), c_(c) {
-  require_positive("k", k);
-  require_not_negative("c", c);
-}
-
-Hysteretic::Hysteretic(double k1, double k2) : k1_(k1), k2_(k2) {
-  require_positive("k1", k1);
-  require_positive("k2", k2);
-  require(k1 <= k2, "k1", k1, "at most k2");
-}
-
-Fractional::Fractional(double k, double c, double alpha)
-    : k_(k), c_(c), alpha_(alpha), coefficient_(k * std::pow(c / k, alpha)) {
-  require_positive("k", k);
-  require_positive("c", c);
-  require(std::isfinite(alpha) && alpha < 2, "alpha", alpha, "finite and < 2");
+void require_parameters(std::span<const Parameter> parameters, std::span<const double> values) {
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (!parameters[i].domain.contains(values[i]))
+      support::reject(parameters[i].name, values[i], parameters[i].domain.accepted);
 }
 
 namespace {
 
-template <class... Laws>
-std::string_view name_of(const std::variant<Laws...>& law) noexcept {
-  constexpr std::array<std::string_view, sizeof...(Laws)> names{Laws::name...};
-  return names[law.index()];
+/// "s^2", "m^(1/2)": a power, of quarters > 0.
+std::string power_text(std::string_view unit, int quarters) {
+  std::string text(unit);
+  if (quarters % 4 == 0) return quarters == 4 ? text : text + "^" + std::to_string(quarters / 4);
+  const int divisor = quarters % 2 == 0 ? 2 : 4;
+  return text + "^(" + std::to_string(quarters * divisor / 4) + "/" + std::to_string(divisor) + ")";
 }
 
 }  // namespace
 
-std::string_view name(const AnyLaw& law) noexcept { return name_of(law); }
+std::string unit_text(Dimension d) {
+  std::string above, below;
+  int factors_below = 0;
+  for (const auto& [unit, quarters] :
+       {std::pair("kg", d.kilogram), std::pair("s", d.second), std::pair("m", d.metre)}) {
+    if (quarters > 0) above += (above.empty() ? "" : " ") + power_text(unit, quarters);
+    if (quarters < 0) below += (factors_below++ ? " " : "") + power_text(unit, -quarters);
+  }
+  if (below.empty()) return above;
+  return (above.empty() ? "1" : above) + "/" + (factors_below > 1 ? "(" + below + ")" : below);
+}
+
+Hysteretic::Hysteretic(double k1, double k2) : k1_(k1), k2_(k2) {
+  require_parameters(parameters, values());
+  support::require(k1 <= k2, "k1", k1, "at most k2");
+}
+
+Fractional::Fractional(double k, double c, double alpha)
+    : k_(k), c_(c), alpha_(alpha), coefficient_(k * std::pow(c / k, alpha)) {
+  require_parameters(parameters, values());
+}
+
+std::optional<LawKind> LawKind::named(std::string_view name) noexcept {
+  for (const LawKind kind : all())
+    if (kind.name() == name) return kind;
+  return std::nullopt;
+}
+
+std::array<LawKind, Laws::size> LawKind::all() noexcept {
+  std::array<LawKind, Laws::size> kinds;
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = LawKind(i);
+  return kinds;
+}
+
+std::span<const Parameter> LawKind::parameters() const noexcept {
+  return visit([]<class Law>(std::type_identity<Law>) { return std::span<const Parameter>(Law::parameters); });
+}
+
+Ends LawKind::ends() const noexcept {
+  return visit([]<class Law>(std::type_identity<Law>) { return Law::ends; });
+}
+
+AnyLaw LawKind::with(std::span<const double> values) const {
+  support::require(values.size() == parameters().size(), "number of parameters", static_cast<double>(values.size()),
+                   "that of the law");
+  return visit([&]<class Law>(std::type_identity<Law>) -> AnyLaw {
+    ParameterValues<Law> own;
+    std::copy(values.begin(), values.end(), own.begin());
+    return Law::from(own);
+  });
+}
+
+std::vector<double> values(const AnyLaw& law) {
+  return std::visit(
+      [](const auto& l) {
+        const auto own = l.values();
+        return std::vector<double>(own.begin(), own.end());
+      },
+      law);
+}
+
+namespace {
+
+std::vector<NamedValue> named(std::span<const Parameter> parameters, std::span<const double> values) {
+  std::vector<NamedValue> all;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    all.push_back({std::string(parameters[i].name), values[i], parameters[i].unit()});
+  return all;
+}
+
+}  // namespace
+
+std::vector<NamedValue> parameters(const AnyLaw& law) { return named(LawKind::of(law).parameters(), values(law)); }
+
+std::vector<NamedValue> identifiable(const AnyLaw& law) {
+  return std::visit(
+      []<class Law>(const Law& l) {
+        if constexpr (requires { l.identifiable(); })
+          return l.identifiable();
+        else
+          return named(Law::parameters, l.values());
+      },
+      law);
+}
 
 }  // namespace ricochet

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <ricochet/contact/any_law.hpp>
+#include <ricochet/contact/laws.hpp>
 
 #include <algorithm>
 #include <cmath>

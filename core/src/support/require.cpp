@@ -6,12 +6,13 @@
 
 namespace ricochet::support {
 
-void reject(const char* name, double value, const char* accepted) {
+void reject(std::string_view name, double value, std::string_view accepted) {
   // std::to_chars, not printf: the message must not depend on the locale.
   char digits[32];
   const auto [end, status] = std::to_chars(digits, digits + sizeof digits, value);
   (void)status;  // 32 characters hold every shortest double
-  throw std::invalid_argument(std::string(name) + " = " + std::string(digits, end) + ": must be " + accepted);
+  throw std::invalid_argument(std::string(name) + " = " + std::string(digits, end) + ": must be " +
+                              std::string(accepted));
 }
 
 }  // namespace ricochet::support

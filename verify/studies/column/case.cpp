@@ -35,12 +35,12 @@ ColumnResult run(const AnyLaw& plate, const AnyLaw& pair, std::size_t beads, con
 }  // namespace
 
 const std::vector<ColumnLaw>& column_laws() {
-  static const std::vector<ColumnLaw> laws{{"linear1", LawKind::linear, ContactEnd::overlap},
-                                           {"linear2", LawKind::linear, ContactEnd::force},
-                                           {"kuwabara-kono", LawKind::kuwabara_kono, ContactEnd::force},
-                                           {"tsuji", LawKind::tsuji, ContactEnd::force},
-                                           {"hysteretic", LawKind::hysteretic, ContactEnd::force},
-                                           {"fractional", LawKind::fractional, ContactEnd::force}};
+  static const std::vector<ColumnLaw> laws{{"linear1", kind_of<Linear>, ContactEnd::overlap},
+                                           {"linear2", kind_of<Linear>, ContactEnd::force},
+                                           {"kuwabara-kono", kind_of<KuwabaraKono>, ContactEnd::force},
+                                           {"tsuji", kind_of<Tsuji>, ContactEnd::force},
+                                           {"hysteretic", kind_of<Hysteretic>, ContactEnd::force},
+                                           {"fractional", kind_of<Fractional>, ContactEnd::force}};
   return laws;
 }
 

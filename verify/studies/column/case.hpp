@@ -1,7 +1,7 @@
 #pragma once
 
 #include <ricochet/motion/column.hpp>
-#include <ricochet/collision/tuned_law.hpp>
+#include <ricochet/collision/reduction.hpp>
 
 #include <optional>
 #include <string>

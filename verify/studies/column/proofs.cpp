@@ -31,7 +31,7 @@ void wide_gaps(std::vector<Gate>& gates) {
   c.gap = 1;
   const double hard = *event_driven_share(beads, c);
   for (const ColumnLaw& law : column_laws())
-    if (law.kind != LawKind::kuwabara_kono)
+    if (law.kind != kind_of<KuwabaraKono>)
       gates.push_back(near(std::string("10 beads with gaps of 1 m, ") + law.id + ": share of the event-driven column",
                            share(run_case(law, beads, c)), hard, static_cast<double>(beads) * stated_error(c)));
 }

@@ -9,7 +9,7 @@ namespace ricochet::verify {
 
 namespace {
 
-using namespace calibrate;
+using namespace calibration;
 
 constexpr double mass = 7.06858e-6;
 constexpr int speeds = 12;
@@ -20,14 +20,11 @@ constexpr double a = -0.5, b = 0.3, k = 5000, c = 0.3;
 double alpha_at(double velocity) { return 1 / (1 + std::exp(-a - b * std::log(velocity))); }
 
 AnyLaw truth_of(const FitRequest& request, double velocity) {
-  switch (request.law) {
-    case LawName::linear: return Linear(5000, 0.1);
-    case LawName::kuwabara_kono: return KuwabaraKono(1.4e6, 30);
-    case LawName::tsuji: return Tsuji(1.4e6, 2);
-    case LawName::hysteretic: return Hysteretic(4000, 9000);
-    case LawName::fractional: break;
-  }
-  return Fractional(k, c, request.alpha_of_speed ? alpha_at(velocity) : 0.3);
+  const Fractional fractional(k, c, request.alpha_of_speed ? alpha_at(velocity) : 0.3);
+  for (const AnyLaw& law : {AnyLaw(Linear(5000, 0.1)), AnyLaw(KuwabaraKono(1.4e6, 30)), AnyLaw(Tsuji(1.4e6, 2)),
+                            AnyLaw(Hysteretic(4000, 9000))})
+    if (LawKind::of(law) == request.law) return law;
+  return fractional;
 }
 
 /// What sets the restitution, where no times tell more.
@@ -65,10 +62,10 @@ std::vector<Measurement> exact_data(const CoverageCase& one) {
 std::vector<CoverageCase> coverage_cases() {
   std::vector<CoverageCase> cases;
   for (const bool with_times : {true, false}) {
-    for (const LawName law :
-         {LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic, LawName::fractional})
+    for (const LawKind law :
+         {kind_of<Linear>, kind_of<KuwabaraKono>, kind_of<Tsuji>, kind_of<Hysteretic>, kind_of<Fractional>})
       cases.push_back({{law, ContactEnd::force, mass}, with_times});
-    cases.push_back({{LawName::fractional, ContactEnd::force, mass, true}, with_times});
+    cases.push_back({{kind_of<Fractional>, ContactEnd::force, mass, true}, with_times});
   }
   return cases;
 }

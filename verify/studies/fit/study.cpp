@@ -15,9 +15,8 @@ namespace ricochet::verify {
 
 namespace {
 
-using calibrate::Fit;
-using calibrate::LawName;
-using calibrate::Measurement;
+using calibration::Fit;
+using calibration::Measurement;
 using console::Table;
 
 // Any mass will do where there are no collision times: e_n then depends on the combinations that the fit reports.
@@ -50,10 +49,10 @@ std::vector<Measurement> read(const std::string& file) {
 
 std::vector<Fit> all_fits(const std::vector<Measurement>& data) {
   std::vector<Fit> fits;
-  for (const LawName law :
-       {LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic, LawName::fractional})
+  for (const LawKind law :
+       {kind_of<Linear>, kind_of<KuwabaraKono>, kind_of<Tsuji>, kind_of<Hysteretic>, kind_of<Fractional>})
     fits.push_back(fit_law({law, ContactEnd::force, mass}, data));
-  fits.push_back(fit_law({LawName::fractional, ContactEnd::force, mass, true}, data));
+  fits.push_back(fit_law({kind_of<Fractional>, ContactEnd::force, mass, true}, data));
   return fits;
 }
 
@@ -62,7 +61,7 @@ bool said_to_misfit(const Fit& fit) {
                      [](const std::string& f) { return f.starts_with("misfit"); });
 }
 
-bool constant(const Fit& fit) { return fit.request.law != LawName::kuwabara_kono && !fit.request.alpha_of_speed; }
+bool constant(const Fit& fit) { return fit.request.law != kind_of<KuwabaraKono> && !fit.request.alpha_of_speed; }
 
 Table table_of(const Source& source, const std::vector<Fit>& fits) {
   const auto best =

@@ -13,34 +13,26 @@ namespace ricochet::verify {
 
 namespace {
 
-using calibrate::Calibration;
-using calibrate::LawName;
-using calibrate::Parameter;
-using calibrate::text;
+using calibration::Calibration;
+using calibration::text;
 using console::Json;
 using console::Notation;
 using console::Table;
 
-constexpr calibrate::Target target{1e-4, 0.5, {0.5, 7.06858e-6}};
+constexpr calibration::Target target{1e-4, 0.5, {0.5, 7.06858e-6}};
 constexpr double greatest_deviation = 3e-3;  ///< of the printed coefficients from the exact ones, relative
 constexpr double hit = 1e-10;                ///< of the target by ours, relative
 
 /// One law of the table: as printed, as recomputed.
 struct Row {
   std::string name;
-  LawName law;
+  LawKind law;
   ContactEnd end;
-  std::vector<Parameter> paper = {};  ///< values as printed
+  std::vector<NamedValue> paper = {};  ///< values as printed
   Collision paper_gives = {};
-  std::vector<Parameter> ours = {};
+  std::vector<NamedValue> ours = {};
   Collision ours_give = {};
 };
-
-LawName law_named(const std::string& word) {
-  for (const auto law : {LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic})
-    if (word == text(law)) return law;
-  return LawName::fractional;
-}
 
 /// The printed table; throws console::Failed where the file cannot be read.
 std::vector<Row> printed_rows() {
@@ -54,34 +46,29 @@ std::vector<Row> printed_rows() {
     std::string name, law, end, parameter, digits;
     for (auto* field : {&name, &law, &end, &parameter, &digits}) std::getline(fields, *field, ',');
     const auto value = console::parse_number(digits);
-    if (!value) throw console::Failed(path + ": " + line + ": not a number");
+    const auto kind = LawKind::named(law);
+    if (!value || !kind) throw console::Failed(path + ": " + line + ": no law and number");
     if (rows.empty() || rows.back().name != name)
-      rows.push_back({name, law_named(law), end == "force" ? ContactEnd::force : ContactEnd::overlap});
+      rows.push_back({name, *kind, end == "force" ? ContactEnd::force : ContactEnd::overlap});
     rows.back().paper.push_back({parameter, *value, ""});
   }
   return rows;
 }
 
 AnyLaw law_of(const Row& row) {
-  const double first = row.paper.at(0).value, second = row.paper.at(1).value;
-  switch (row.law) {
-    case LawName::linear: return Linear(first, second);
-    case LawName::kuwabara_kono: return KuwabaraKono(first, second);
-    case LawName::tsuji: return Tsuji(first, second);
-    case LawName::hysteretic: return Hysteretic(first, second);
-    case LawName::fractional: break;
-  }
-  return Fractional(first, second, row.paper.at(2).value);
+  std::vector<double> values;
+  for (const NamedValue& printed : row.paper) values.push_back(printed.value);
+  return row.law.with(values);
 }
 
 /// Both sets of coefficients run through the numerical collision; the fractional law holds the printed k.
 void complete(Row& row) {
   const CollideOptions options{.end = row.end, .method = CollideMethod::numerical};
   row.paper_gives = collide(law_of(row), target.impact, options);
-  calibrate::Request request{row.law, row.end, target};
-  if (row.law == LawName::fractional) request.stiffness = row.paper.at(0).value;
-  const auto ours = std::get<Calibration>(calibrate::calibrate(request));
-  row.ours = calibrate::parameters(ours.law);
+  calibration::Request request{row.law, row.end, target};
+  if (row.law == kind_of<Fractional>) request.stiffness = row.paper.at(0).value;
+  const auto ours = std::get<Calibration>(calibration::calibrate(request));
+  row.ours = parameters(ours.law);
   row.ours_give = ours.achieved;
 }
 
@@ -133,7 +120,7 @@ Table outcomes(const std::vector<Row>& rows) {
   return table;
 }
 
-Json side(const std::vector<Parameter>& parameters, const Collision& collision) {
+Json side(const std::vector<NamedValue>& parameters, const Collision& collision) {
   Json values = Json::object();
   for (const auto& p : parameters) values[p.name] = p.value;
   return {{"parameters", values}, {"tcol", collision.tcol}, {"en", collision.en}};
@@ -148,7 +135,7 @@ Json rows_json(const std::vector<Row>& rows) {
       difference[row.ours[i].name] = row.paper[i].value / row.ours[i].value - 1;
     }
     all.push_back({{"name", row.name},
-                   {"law", text(row.law)},
+                   {"law", row.law.name()},
                    {"end", text(row.end)},
                    {"paper", side(row.paper, row.paper_gives)},
                    {"ours", side(row.ours, row.ours_give)},
@@ -162,8 +149,8 @@ Json rows_json(const std::vector<Row>& rows) {
 double overlap_end_moved() {
   double end[2] = {};
   for (const int i : {0, 1}) {
-    const calibrate::Request request{LawName::fractional, ContactEnd::force, target, i ? 5 * 5225.0 : 5225.0};
-    end[i] = std::get<Calibration>(calibrate::calibrate(request)).achieved.overlap_end;
+    const calibration::Request request{kind_of<Fractional>, ContactEnd::force, target, i ? 5 * 5225.0 : 5225.0};
+    end[i] = std::get<Calibration>(calibration::calibrate(request)).achieved.overlap_end;
   }
   return deviation(end[1], end[0]);
 }

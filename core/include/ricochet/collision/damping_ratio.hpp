@@ -1,8 +1,6 @@
 #pragma once
 
-#include <ricochet/contact/law.hpp>
-#include <ricochet/contact/linear.hpp>
-#include <ricochet/contact/tsuji.hpp>
+#include <ricochet/contact/power_law.hpp>
 
 namespace ricochet {
 

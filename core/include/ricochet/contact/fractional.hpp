@@ -1,10 +1,11 @@
 #pragma once
 
-#include <ricochet/contact/law.hpp>
+#include <ricochet/contact/description.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace ricochet {
 
@@ -13,6 +14,11 @@ namespace ricochet {
 class Fractional {
  public:
   static constexpr std::string_view name = "fractional";
+  static constexpr std::array<Parameter, 3> parameters{
+      {{"k", {4, 0, -8}, domains::positive},
+       {"c", {4, 0, -4}, domains::positive},
+       {"alpha", {}, {"finite and < 2", [](double x) { return std::isfinite(x) && x < 2; }}}}};
+  static constexpr Ends ends{.overlap = true, .both_by_default = false};
 
   /// k > 0 [kg/s²], c > 0 [kg/s], α < 2; 0 ≤ α ≤ 1 is physical (α < 0 gains energy, α > 1 never rebounds).
   /// Throws std::invalid_argument otherwise.
@@ -21,6 +27,11 @@ class Fractional {
   double k() const noexcept { return k_; }
   double c() const noexcept { return c_; }
   double alpha() const noexcept { return alpha_; }
+  std::array<double, 3> values() const noexcept { return {k_, c_, alpha_}; }
+  static Fractional from(const std::array<double, 3>& values) { return {values[0], values[1], values[2]}; }
+  std::vector<NamedValue> identifiable() const {
+    return {{"alpha", alpha_, ""}, {"c^alpha k^(1-alpha)", coefficient_, "kg s^(alpha-2)"}};
+  }
   /// c^α k^{1−α} [kg s^{α−2}], all of k and c that a collision can see.
   double coefficient() const noexcept { return coefficient_; }
 

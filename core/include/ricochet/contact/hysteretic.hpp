@@ -1,6 +1,6 @@
 #pragma once
 
-#include <ricochet/contact/law.hpp>
+#include <ricochet/contact/description.hpp>
 
 namespace ricochet {
 
@@ -13,12 +13,19 @@ class Hysteretic {
     bool operator==(const Memory&) const = default;
   };
   static constexpr std::string_view name = "hysteretic";
+  static constexpr std::array<Parameter, 2> parameters{
+      {{"k1", {4, 0, -8}, domains::positive}, {"k2", {4, 0, -8}, domains::positive}}};
+  static constexpr Ends ends{.overlap = false, .both_by_default = false};
 
   /// 0 < k1 ≤ k2 [kg/s²]; throws std::invalid_argument otherwise.
   Hysteretic(double k1, double k2);
 
   double k1() const noexcept { return k1_; }
   double k2() const noexcept { return k2_; }
+  std::array<double, 2> values() const noexcept { return {k1_, k2_}; }
+  static Hysteretic from(const std::array<double, 2>& values) { return {values[0], values[1]}; }
+  /// What a restitution tells where nothing tells the time: e_n² = k₁/k₂.
+  NamedValue loss_measure() const { return {"k1/k2", k1_ / k2_, ""}; }
   /// ζ₀ [m]: where unloading from the greatest overlap so far reaches zero force.
   double residual_overlap(const Memory& m) const noexcept { return m.max_overlap * (1 - k1_ / k2_); }
 

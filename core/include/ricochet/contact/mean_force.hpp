@@ -2,9 +2,7 @@
 
 #include <ricochet/contact/fractional.hpp>
 #include <ricochet/contact/hysteretic.hpp>
-#include <ricochet/contact/kuwabara_kono.hpp>
-#include <ricochet/contact/linear.hpp>
-#include <ricochet/contact/tsuji.hpp>
+#include <ricochet/contact/power_law.hpp>
 
 namespace ricochet {
 
@@ -23,29 +21,9 @@ double mean_force(const Law& law, double overlap, double rate, const typename La
   return law.force(middle, halfway);
 }
 
-inline double mean_force(const Linear& law, double overlap, double rate, const NoMemory&, double dt) noexcept {
-  return law.k() * (overlap + 0.5 * rate * dt) + law.c() * rate;
-}
-
-/// With a = ζ^{1/2} at both ends: mean of ζ^{1/2} = (2/3)(b³−a³)/(b²−a²), of ζ^{3/2} = (2/5)(b⁵−a⁵)/(b²−a²), the
-/// common factor divided out so that nothing cancels.
-inline double mean_force(const KuwabaraKono& law, double overlap, double rate, const NoMemory&, double dt) noexcept {
-  const double a2 = std::max(0.0, overlap), b2 = std::max(0.0, overlap + rate * dt);
-  const double a = std::sqrt(a2), b = std::sqrt(b2), sum = a + b;
-  if (sum == 0) return 0;
-  const double spring = 0.4 * (a2 * a2 + b2 * b2 + a * b * (a2 + b2) + a2 * b2);
-  return (law.k() * spring + law.c() * rate * (2.0 / 3.0) * (a2 + a * b + b2)) / sum;
-}
-
-/// The same with p = ζ^{1/4}: mean of ζ^{1/4} = (4/5)(q⁵−p⁵)/(q⁴−p⁴).
-inline double mean_force(const Tsuji& law, double overlap, double rate, const NoMemory&, double dt) noexcept {
-  const double a2 = std::max(0.0, overlap), b2 = std::max(0.0, overlap + rate * dt);
-  const double a = std::sqrt(a2), b = std::sqrt(b2), sum = a + b;
-  if (sum == 0) return 0;
-  const double spring = 0.4 * (a2 * a2 + b2 * b2 + a * b * (a2 + b2) + a2 * b2);
-  const double p = std::sqrt(a), q = std::sqrt(b);
-  const double dashpot = 0.8 * (a2 + b2 + p * q * (a + b) + a * b) / (p + q);
-  return (law.k() * spring + law.c() * rate * dashpot) / sum;
+template <class Form>
+double mean_force(const PowerLaw<Form>& law, double overlap, double rate, const NoMemory&, double dt) noexcept {
+  return law.mean_force(overlap, rate, dt);
 }
 
 /// Piecewise linear in the overlap: the trapezoid on either side of the greatest overlap so far.

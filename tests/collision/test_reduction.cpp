@@ -1,5 +1,5 @@
 #include <ricochet/collision/fractional_contact.hpp>
-#include <ricochet/collision/tuned_law.hpp>
+#include <ricochet/collision/reduction.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -27,28 +27,28 @@ TEST_CASE("A tuned law collides as asked", "[tuned]") {
             }
           },
           tuned_law(kind, tcol, en, impact, end));
-      CAPTURE(static_cast<int>(kind), en);
+      CAPTURE(kind.name(), en);
       CHECK(out.tcol == Approx(tcol).epsilon(margin));
       CHECK(out.en == Approx(en).epsilon(margin));
     }
   };
-  check(LawKind::linear, ContactEnd::overlap, 1e-11);
-  check(LawKind::linear, ContactEnd::force, 1e-11);
-  check(LawKind::tsuji, ContactEnd::force, 1e-11);
-  check(LawKind::tsuji, ContactEnd::overlap, 1e-11);
-  check(LawKind::kuwabara_kono, ContactEnd::force, 1e-10);
-  check(LawKind::hysteretic, ContactEnd::force, 1e-11);
-  check(LawKind::fractional, ContactEnd::force, 1e-11);
-  CHECK_THROWS_AS(tuned_law(LawKind::linear, tcol, 1.0, impact), std::invalid_argument);
-  CHECK_THROWS_AS(tuned_law(LawKind::linear, -1, 0.9, impact), std::invalid_argument);
-  CHECK_THROWS_WITH(tuned_law(LawKind::hysteretic, tcol, 0.9, impact, ContactEnd::overlap),
+  check(kind_of<Linear>, ContactEnd::overlap, 1e-11);
+  check(kind_of<Linear>, ContactEnd::force, 1e-11);
+  check(kind_of<Tsuji>, ContactEnd::force, 1e-11);
+  check(kind_of<Tsuji>, ContactEnd::overlap, 1e-11);
+  check(kind_of<KuwabaraKono>, ContactEnd::force, 1e-10);
+  check(kind_of<Hysteretic>, ContactEnd::force, 1e-11);
+  check(kind_of<Fractional>, ContactEnd::force, 1e-11);
+  CHECK_THROWS_AS(tuned_law(kind_of<Linear>, tcol, 1.0, impact), std::invalid_argument);
+  CHECK_THROWS_AS(tuned_law(kind_of<Linear>, -1, 0.9, impact), std::invalid_argument);
+  CHECK_THROWS_WITH(tuned_law(kind_of<Hysteretic>, tcol, 0.9, impact, ContactEnd::overlap),
                     "end = overlap: must be force for the hysteretic law");
-  CHECK_THROWS_AS(tuned_law(LawKind::hysteretic, 1e-200, 0.9, impact), std::overflow_error);
+  CHECK_THROWS_AS(tuned_law(kind_of<Hysteretic>, 1e-200, 0.9, impact), std::overflow_error);
 }
 
 TEST_CASE("every law reaches every restitution, as far as doubles carry it", "[tuned]") {
   const auto check = [](LawKind kind, ContactEnd end, double en, double bound) {
-    CAPTURE(static_cast<int>(kind), static_cast<int>(end), en);
+    CAPTURE(kind.name(), static_cast<int>(end), en);
     const auto found = unit_law(kind, en, end);
     REQUIRE(found);
     const auto out = collide(found->law, {1, 1}, {end});
@@ -58,15 +58,15 @@ TEST_CASE("every law reaches every restitution, as far as doubles carry it", "[t
   const auto force = ContactEnd::force, overlap = ContactEnd::overlap;
   for (const double en : {1.0, 1 - 1e-16, 1 - 1e-12, 0.999, 0.3, 0.0046, 0.003, 1e-6, 1e-12, 1e-30, 1e-100}) {
     const double loss = -std::log(en);
-    for (const auto kind : {LawKind::linear, LawKind::tsuji, LawKind::hysteretic, LawKind::kuwabara_kono})
+    for (const auto kind : {kind_of<Linear>, kind_of<Tsuji>, kind_of<Hysteretic>, kind_of<KuwabaraKono>})
       check(kind, force, en, 1e-11);
-    check(LawKind::linear, overlap, en, 1e-11 + 1e-16 * loss * loss * loss);
-    check(LawKind::tsuji, overlap, en, 1e-11 + 1e-15 * loss * loss * loss);
+    check(kind_of<Linear>, overlap, en, 1e-11 + 1e-16 * loss * loss * loss);
+    check(kind_of<Tsuji>, overlap, en, 1e-11 + 1e-15 * loss * loss * loss);
     // 1 − alpha > 16 e_n
-    if (en >= 1e-15) check(LawKind::fractional, force, en, 1e-11 + 2e-16 / (16 * en));
-    if (en >= 1e-6) check(LawKind::fractional, overlap, en, 1e-11 + 1e-15 / (en * en));
+    if (en >= 1e-15) check(kind_of<Fractional>, force, en, 1e-11 + 2e-16 / (16 * en));
+    if (en >= 1e-6) check(kind_of<Fractional>, overlap, en, 1e-11 + 1e-15 / (en * en));
   }
   for (const auto kind :
-       {LawKind::linear, LawKind::tsuji, LawKind::hysteretic, LawKind::kuwabara_kono, LawKind::fractional})
+       {kind_of<Linear>, kind_of<Tsuji>, kind_of<Hysteretic>, kind_of<KuwabaraKono>, kind_of<Fractional>})
     CHECK_FALSE(unit_law(kind, 1e-320, force));
 }
