@@ -4,7 +4,7 @@
 
 #include <initializer_list>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// What one engine makes of a law, before it is framed by comments.
 struct Body {
@@ -48,4 +48,4 @@ void end_otherwise(Body& body, const ExportCase& what, ContactEnd engine_end, st
 /// Poisson's ratio that snippets write where an engine wants one: it has no influence on these normal forces.
 constexpr double poisson = 0.3;
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 namespace {
 
@@ -207,4 +207,4 @@ void end_otherwise(Body& body, const ExportCase& what, ContactEnd engine_end, st
   body.remarks.insert(body.remarks.begin(), std::move(remark));
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 namespace {
 
@@ -95,4 +95,4 @@ struct Lammps {
 
 Body write_lammps(const ExportCase& what) { return std::visit(Lammps{what}, what.law); }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

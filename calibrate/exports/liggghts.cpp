@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 namespace {
 
@@ -127,4 +127,4 @@ struct Liggghts {
 
 Body write_liggghts(const ExportCase& what) { return std::visit(Liggghts{what}, what.law); }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 namespace {
 
@@ -87,4 +87,4 @@ struct MercuryDpm {
 
 Body write_mercurydpm(const ExportCase& what) { return std::visit(MercuryDpm{what}, what.law); }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -2,7 +2,7 @@
 
 #include <ricochet/collision/damping_ratio.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 namespace {
 
@@ -72,4 +72,4 @@ struct Mfix {
 
 Body write_mfix(const ExportCase& what) { return std::visit(Mfix{what}, what.law); }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

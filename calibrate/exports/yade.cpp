@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 namespace {
 
@@ -88,4 +88,4 @@ struct Yade {
 
 Body write_yade(const ExportCase& what) { return std::visit(Yade{what}, what.law); }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

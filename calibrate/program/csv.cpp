@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::Cell;
@@ -73,4 +73,4 @@ console::Table csv_of(const Report& report) {
   return table;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -4,7 +4,7 @@
 #include <console/exit.hpp>
 #include <console/json.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::Json;
@@ -61,4 +61,4 @@ std::string exported(const Report& report, const std::string& name_of_engine, co
   return all;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::Table;
@@ -168,4 +168,4 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
           finding_of(fits)};
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

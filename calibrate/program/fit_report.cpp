@@ -13,7 +13,7 @@
 #include <cmath>
 #include <optional>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::BadInput;
@@ -238,4 +238,4 @@ console::Exit run_fit(const Options& options) {
   return console::Exit::done;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

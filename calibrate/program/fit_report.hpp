@@ -4,10 +4,10 @@
 
 #include <console/exit.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// `calibrate --fit FILE`: each law fitted to measured restitution (and collision times), with what the data do not
 /// tell.
 console::Exit run_fit(const Options& options);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::BadInput;
@@ -169,4 +169,4 @@ Job job_of(const Options& o) {
   return job;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -13,7 +13,7 @@ namespace CLI {
 class App;
 }
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// The command line as it was typed.
 struct Options {
@@ -69,4 +69,4 @@ ContactEnd end_named(std::string_view flag, std::string_view name);
 /// A piece of somebody's file, fit for a message of one line.
 std::string shown(std::string_view text);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

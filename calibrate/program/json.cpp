@@ -2,7 +2,7 @@
 
 #include <console/json.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::Json;
@@ -75,4 +75,4 @@ std::string json_of(const Report& report) {
   return console::document(out);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -10,7 +10,7 @@
 #include <array>
 #include <utility>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::BadInput;
@@ -109,4 +109,4 @@ class Reader {
 
 std::vector<Measurement> read_measurements(const std::string& path) { return Reader(path).read(); }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 std::string spelled(const std::vector<std::string>& names) {
@@ -91,4 +91,4 @@ void add_options(CLI::App& app, Options& o) {
   group_options(app);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

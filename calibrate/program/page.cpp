@@ -13,7 +13,7 @@
 #include <array>
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::escaped;
@@ -198,4 +198,4 @@ std::string page_of(const Report& report) {
   return console::html_page("Contact laws for " + target_text(target), body);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

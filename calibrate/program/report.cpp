@@ -2,7 +2,7 @@
 
 #include <console/number.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 Infeasible not_offered(LawName law) {
@@ -41,4 +41,4 @@ std::string render(const Report& report, console::Format format) {
   return console::render_all(tables_of(report), format);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// A law whose computation failed.
 struct Failure {
@@ -46,4 +46,4 @@ std::string page_of(const Report& report);
 
 std::string render(const Report& report, console::Format format);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -2,7 +2,7 @@
 
 #include <console/number.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::Cell;
@@ -112,4 +112,4 @@ std::vector<Table> tables_of(const Report& report) {
   return tables;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

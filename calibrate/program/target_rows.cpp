@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::BadInput;
@@ -205,4 +205,4 @@ Answers TargetRows::answer(const console::LineBlocks::Block& block) const {
   return answers;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// One block of rows, answered.
 struct Answers {
@@ -66,4 +66,4 @@ class TargetRows {
   const DirectCalibrator& calibrator_;
 };
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -10,7 +10,7 @@
 #include <exception>
 #include <thread>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using console::BadInput;
@@ -106,4 +106,4 @@ console::Exit run_targets(const Options& options) {
   return complaints.finish() ? console::Exit::gate_failed : console::Exit::done;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 AnyLaw with(const AnyLaw& law, std::size_t changed, double value) {
@@ -116,4 +116,4 @@ std::optional<int> steps_for(const std::vector<StepError>& errors, double bound)
   return least;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

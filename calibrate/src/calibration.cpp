@@ -10,7 +10,7 @@
 #include <locale>
 #include <sstream>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using support::require;
@@ -194,4 +194,4 @@ Outcome calibrate(const Request& request, const Settings& settings) {
   return out;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

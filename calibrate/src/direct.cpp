@@ -1,6 +1,6 @@
 #include "solution.hpp"
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 std::optional<Solution> solve_directly(LawName law, ContactEnd end, double en) {
   const auto found = unit_law(law, en, end);
@@ -8,4 +8,4 @@ std::optional<Solution> solve_directly(LawName law, ContactEnd end, double en) {
   return Solution{found->law, found->closed_form ? "closed form" : "bracketed root", found->collisions};
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <optional>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using std::numbers::pi;
@@ -97,9 +97,9 @@ struct DirectCalibrator::Tables {
     if (request.law == LawName::linear && !by_force) return linear_by_overlap(t);
     if (t.en > greatest_en && t.en < 1) return std::nullopt;
     switch (request.law) {
-      case LawName::linear: return calibrate::linear_by_force(t, linear_by_force());
+      case LawName::linear: return calibration::linear_by_force(t, linear_by_force());
       case LawName::kuwabara_kono:
-        return calibrate::kuwabara_kono(t, kuwabara_kono(LawName::kuwabara_kono, ContactEnd::force));
+        return calibration::kuwabara_kono(t, kuwabara_kono(LawName::kuwabara_kono, ContactEnd::force));
       case LawName::tsuji: return tsuji(t, (by_force ? tsuji_by_force : tsuji_by_overlap)(LawName::tsuji, request.end));
       case LawName::hysteretic:
       case LawName::fractional: break;
@@ -117,4 +117,4 @@ DirectCalibrator::Answer DirectCalibrator::operator()(const Request& request) co
   return calibrate_directly(request, Settings{}.tolerance);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 /// kζ^a + cζ^bζ' [D]: exponents of the damped power laws.
@@ -67,4 +67,4 @@ std::optional<AnyLaw> in_si(const AnyLaw& scaled, const Target& target, double h
   return fractional ? holding(held_stiffness, *fractional, target) : at_impact(scaled, target.tcol, target.impact);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

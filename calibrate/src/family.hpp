@@ -2,7 +2,7 @@
 
 #include <calibrate/calibration.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// Where a search stands, in the units of the target (m = v₀ = t_col = 1): the logarithm of the law's stiffness and a
 /// logarithmic measure of the loss; −∞ of the latter is the elastic law.
@@ -23,4 +23,4 @@ Coordinates with_unit_tcol(LawName law, double loss, double tcol);
 /// nullopt where a parameter, such as the c that goes with the held k, is no normal double.
 std::optional<AnyLaw> in_si(const AnyLaw& scaled, const Target& target, double held_stiffness);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using Eigen::Index;
@@ -248,4 +248,4 @@ Prediction predict(const Fit& fit, double velocity) {
   return p;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using Eigen::Index;
@@ -107,4 +107,4 @@ std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>
   return said;
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -2,7 +2,7 @@
 
 #include "fit_model.hpp"
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// Throws std::invalid_argument naming what of the request or the data is outside its domain.
 void require_fit(const FitRequest& request, const std::vector<Measurement>& data);
@@ -14,4 +14,4 @@ void require_observations(const FitRequest& request, const std::vector<Measureme
 std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>& at_the_edge,
                                   const Eigen::VectorXd& residuals, const std::vector<Measurement>& data);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using Eigen::Index;
@@ -92,7 +92,7 @@ class LinearModel : public Base {
     return {out.en, out.tcol};
   }
   std::vector<Parameter> parameters(const VectorXd& u) const override {
-    if (with_times_) return calibrate::parameters(law(u));
+    if (with_times_) return calibration::parameters(law(u));
     return {{"damping ratio c/(2 sqrt(m k))", std::exp(u[0]), ""}};
   }
 
@@ -115,7 +115,7 @@ class HystereticModel : public Base {
     return {out.en, out.tcol};
   }
   std::vector<Parameter> parameters(const VectorXd& u) const override {
-    if (with_times_) return calibrate::parameters(law(u));
+    if (with_times_) return calibration::parameters(law(u));
     return {{"k1/k2", 1 / (1 + std::exp(u[0])), ""}};
   }
 
@@ -141,7 +141,7 @@ class HertzianModel : public Base {
     // c = γ m v^{−b} T^{−b−1} at v = 1 m/s.
     const double c = group * mass() * std::pow(k / mass(), 0.4 * (exponent() + 1));
     if (with_times_)
-      return is_kuwabara_kono() ? calibrate::parameters(KuwabaraKono(k, c)) : calibrate::parameters(Tsuji(k, c));
+      return is_kuwabara_kono() ? calibration::parameters(KuwabaraKono(k, c)) : calibration::parameters(Tsuji(k, c));
     if (is_kuwabara_kono()) return {{"c k^(-3/5) m^(-2/5)", group, "(s/m)^(1/5)"}};
     return {{"damping ratio c/sqrt(5 m k)", group / std::sqrt(5.0), ""}};
   }
@@ -232,4 +232,4 @@ std::unique_ptr<FitModel> fit_model(const FitRequest& request, bool with_times) 
   return std::make_unique<FractionalModel>(request, with_times);
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

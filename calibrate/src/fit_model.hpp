@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// Error of a model's e_n, and relative of its t_col.
 inline constexpr double model_error = 1e-9;
@@ -34,4 +34,4 @@ class FitModel {
 /// The model of a request; with_times: the data have collision times, so that stiffness can be told.
 std::unique_ptr<FitModel> fit_model(const FitRequest& request, bool with_times);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

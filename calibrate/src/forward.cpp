@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 using support::Panel;
 
@@ -74,4 +74,4 @@ Reduced ForwardFractional::operator()(double alpha) const {
   return {panel.en(x), panel.tau(x)};
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

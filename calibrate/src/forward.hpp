@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// e_n and the scaled collision time as functions of a law's dimensionless group.
 struct Reduced {
@@ -52,4 +52,4 @@ class ForwardFractional {
   std::vector<Pair> panels_;
 };
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

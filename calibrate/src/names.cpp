@@ -1,6 +1,6 @@
 #include <calibrate/calibration.hpp>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 constexpr const char* stiffness_unit = "kg/s^2";
@@ -50,4 +50,4 @@ std::vector<Parameter> identifiable(const AnyLaw& law) {
   return {{"alpha", fractional->alpha(), ""}, {"c^alpha k^(1-alpha)", fractional->coefficient(), "kg s^(alpha-2)"}};
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

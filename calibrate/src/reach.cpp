@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 double cube(double x) { return x * x * x; }
@@ -53,4 +53,4 @@ Infeasible out_of_reach(const Request& request, double tolerance) {
           1};
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

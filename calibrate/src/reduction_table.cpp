@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using support::Panel;
@@ -86,4 +86,4 @@ ReductionTable::ReductionTable(LawName law, ContactEnd end)
   }
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// A damped power law's k and c in the units of the target (m = v₀ = t_col = 1) as functions of the loss λ = −ln e_n.
 /// Where a Hertzian contact ends by force, at an overlap like λ (Kuwabara-Kono) or λ^{4/5} (Tsuji), fractional powers
@@ -43,4 +43,4 @@ class ReductionTable {
   std::vector<Pair> panels_;
 };
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

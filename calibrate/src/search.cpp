@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 namespace {
 
 using Point = std::array<double, 2>;
@@ -129,4 +129,4 @@ Solution search(LawName law, ContactEnd end, double en, const std::string& algor
   return {scaled_law(law, problem.coordinates(problem.best())), algorithm, problem.evaluations()};
 }
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

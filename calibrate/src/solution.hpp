@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// What a method found, in the units of the target.
 struct Solution {
@@ -31,4 +31,4 @@ void require_request(const Request& request);
 /// The law by the direct reduction alone, where doubles carry it to the tolerance; the request is a valid one.
 std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -5,7 +5,7 @@
 #include <cmath>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 
 namespace {
 

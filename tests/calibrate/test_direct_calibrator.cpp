@@ -5,7 +5,7 @@
 #include <numbers>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 
 namespace {
 

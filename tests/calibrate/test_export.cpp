@@ -11,7 +11,7 @@
 #include <sstream>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 
 namespace {
 

@@ -24,11 +24,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   std::vector<std::string> reversed(words.rbegin(), words.rend());  // as CLI11 wants them
   CLI::App app("fuzzed", "calibrate");
-  calibrate::Options options;
+  calibration::Options options;
   try {
-    calibrate::add_options(app, options);
+    calibration::add_options(app, options);
     app.parse(reversed);
-    const calibrate::Job job = calibrate::job_of(options);
+    const calibration::Job job = calibration::job_of(options);
     const Impact& impact = job.target.impact;
     if (!(std::isfinite(impact.mass_eff) && impact.mass_eff > 0 && std::isfinite(impact.velocity) &&
           impact.velocity > 0))

@@ -10,7 +10,7 @@
 #include <cmath>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 
 namespace {
 

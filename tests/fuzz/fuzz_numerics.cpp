@@ -67,18 +67,18 @@ void a_collision(Arguments& in) {
 }
 
 void a_calibration(Arguments& in) {
-  calibrate::Settings settings;
-  settings.method = calibrate::Method::direct;
-  const auto law = static_cast<calibrate::LawName>(in.byte() % 5);
+  calibration::Settings settings;
+  settings.method = calibration::Method::direct;
+  const auto law = static_cast<calibration::LawName>(in.byte() % 5);
   const auto end = in.byte() & 1 ? ContactEnd::overlap : ContactEnd::force;
   const double tcol = in.number(), en = in.share();
   try {
-    const auto outcome = calibrate::calibrate({law, end, {tcol, en, {in.number(), in.number()}}}, settings);
-    if (const auto* found = std::get_if<calibrate::Calibration>(&outcome)) {
+    const auto outcome = calibration::calibrate({law, end, {tcol, en, {in.number(), in.number()}}}, settings);
+    if (const auto* found = std::get_if<calibration::Calibration>(&outcome)) {
       expect_good(found->achieved);
-      for (const auto& parameter : calibrate::parameters(found->law)) expect_finite({parameter.value});
+      for (const auto& parameter : calibration::parameters(found->law)) expect_finite({parameter.value});
     }
-  } catch (const calibrate::NotConverged&) {
+  } catch (const calibration::NotConverged&) {
   }
 }
 

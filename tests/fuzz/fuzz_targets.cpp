@@ -52,13 +52,13 @@ void check_row(std::string_view line, std::size_t columns, std::size_t status) {
     expect(numbers == 0, "parameters in a row that failed");
 }
 
-void check(const std::string& path, const calibrate::TargetDefaults& defaults) {
+void check(const std::string& path, const calibration::TargetDefaults& defaults) {
   console::LineBlocks source(path, 512);  // small, so that lines cross the blocks
   console::LineBlocks::Block block;
   std::size_t line = 1;
-  const std::string header = calibrate::take_header(source, block, "f.csv", line);
-  static const calibrate::DirectCalibrator calibrator;
-  const calibrate::TargetRows rows("f.csv", line, header, defaults, calibrator);
+  const std::string header = calibration::take_header(source, block, "f.csv", line);
+  static const calibration::DirectCalibrator calibrator;
+  const calibration::TargetRows rows("f.csv", line, header, defaults, calibrator);
   const std::string names = rows.header();
   const auto columns = fields_of(std::string_view(names).substr(0, names.size() - 1));
   const auto status = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "status") - columns.begin());
@@ -79,7 +79,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // A row outside the tables takes milliseconds under the sanitizers: few rows, so that only a hang takes long.
   if (std::count(data, data + size, '\n') > 10) return -1;
   const MemoryFile file(data, size);
-  calibrate::TargetDefaults defaults;
+  calibration::TargetDefaults defaults;
   defaults.impact = {0.5, 7e-6};
   try {
     check(file.path(), defaults);

@@ -15,7 +15,7 @@
 #include <string>
 
 using namespace ricochet;
-using namespace ricochet::calibrate;
+using namespace ricochet::calibration;
 using workloads::PressedColumn;
 
 namespace {

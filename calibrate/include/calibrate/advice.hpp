@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// What a change of one parameter does to the collision: logarithmic derivatives, the percent that the result changes
 /// for one percent of the parameter. Nothing where the parameter is 0 or cannot be moved in both directions.
@@ -34,4 +34,4 @@ std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Targ
 /// The least steps from which on the error stays within `bound`; nothing if 1000 do not suffice.
 std::optional<int> steps_for(const std::vector<StepError>& errors, double bound);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 using LawName = LawKind;
 
@@ -118,4 +118,4 @@ class NotConverged : public std::runtime_error {
 /// the law does not offer; NotConverged when the check contradicts the answer.
 Outcome calibrate(const Request& request, const Settings& settings = {});
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

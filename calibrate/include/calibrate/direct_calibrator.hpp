@@ -5,7 +5,7 @@
 #include <memory>
 #include <variant>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// The direct method for many targets. In the units of the target each law's parameters are functions of e_n alone;
 /// here they are closed forms or piecewise polynomials in −ln e_n, made from the slow path when a law is first asked
@@ -41,4 +41,4 @@ class DirectCalibrator {
   std::unique_ptr<Tables> tables_;
 };
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

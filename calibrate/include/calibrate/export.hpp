@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// The engines whose input language we write. docs/engines.md has their conventions and where they were read.
 enum class Engine { liggghts, lammps, yade, mercurydpm, mfix };
@@ -59,4 +59,4 @@ std::string comment(Engine engine, std::string_view sentence);
 /// others are commented out.
 std::string combine(const std::vector<Snippet>& snippets);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace ricochet::calibrate {
+namespace ricochet::calibration {
 
 /// One measured impact; numbers in [1e-30, 1e30]. Standard errors 0: not known (then of all, and without collision
 /// times).
@@ -79,4 +79,4 @@ Prediction predict(const Fit& fit, double velocity);
 /// "kuwabara-kono", …, "fractional, alpha(v)".
 std::string fit_name(const FitRequest& request);
 
-}  // namespace ricochet::calibrate
+}  // namespace ricochet::calibration

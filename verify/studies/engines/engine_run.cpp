@@ -17,7 +17,7 @@
 namespace ricochet::verify {
 
 namespace fs = std::filesystem;
-using calibrate::Engine;
+using calibration::Engine;
 using console::shortest;
 
 namespace {

@@ -36,7 +36,7 @@ class EngineProgram {
  public:
   /// Looks for `lmp`, `liggghts`, `yade` on the PATH, and for `liggghts-ricochet`, which knows the fractional law, also
   /// beside this program. Nothing when it isn't there, or when the engine has no program that we can run.
-  static std::optional<EngineProgram> find(calibrate::Engine engine, bool fractional = false);
+  static std::optional<EngineProgram> find(calibration::Engine engine, bool fractional = false);
 
   const std::string& command() const { return command_; }
 
@@ -46,9 +46,9 @@ class EngineProgram {
                               const std::vector<double>& steps) const;
 
  private:
-  EngineProgram(calibrate::Engine engine, std::string command) : engine_(engine), command_(std::move(command)) {}
+  EngineProgram(calibration::Engine engine, std::string command) : engine_(engine), command_(std::move(command)) {}
 
-  calibrate::Engine engine_;
+  calibration::Engine engine_;
   std::string command_;
 };
 

@@ -17,7 +17,7 @@ namespace ricochet::verify {
 
 namespace {
 
-using calibrate::Engine;
+using calibration::Engine;
 using console::Json;
 using console::Notation;
 using console::shortest;
@@ -96,35 +96,36 @@ std::optional<Trajectory> repeat_stepping(const AnyLaw& law, ContactEnd end, dou
   return std::nullopt;
 }
 
-AnyLaw calibrated(calibrate::LawName law, ContactEnd end, double en) {
-  const calibrate::Request request{law, end, {tcol, en, {pair.velocity, pair.mass_eff()}}};
-  return std::get<calibrate::Calibration>(calibrate::calibrate(request, {.method = calibrate::Method::direct})).law;
+AnyLaw calibrated(calibration::LawName law, ContactEnd end, double en) {
+  const calibration::Request request{law, end, {tcol, en, {pair.velocity, pair.mass_eff()}}};
+  return std::get<calibration::Calibration>(calibration::calibrate(request, {.method = calibration::Method::direct}))
+      .law;
 }
 
 /// Every law that the engine can be given, as `calibrate --export` writes it.
 void add_exports(std::vector<Case>& cases, Engine engine) {
-  using calibrate::LawName;
+  using calibration::LawName;
   for (const double en : {0.5, 0.9})
     for (const auto law :
          {LawName::linear, LawName::kuwabara_kono, LawName::tsuji, LawName::hysteretic, LawName::fractional})
       for (const auto end : {ContactEnd::overlap, ContactEnd::force}) {
         if (!offers(law, end)) continue;
-        const calibrate::ExportCase what{.law = calibrated(law, end, en),
-                                         .end = end,
-                                         .tcol = tcol,
-                                         .en = en,
-                                         .impact = {pair.velocity, pair.mass_eff()},
-                                         .radius_eff = pair.radius_eff(),
-                                         .density = pair.density};
-        const auto snippet = calibrate::export_law(engine, what);
-        if (snippet.fidelity == calibrate::Fidelity::absent) continue;
-        const bool exact = snippet.fidelity == calibrate::Fidelity::exact;
+        const calibration::ExportCase what{.law = calibrated(law, end, en),
+                                           .end = end,
+                                           .tcol = tcol,
+                                           .en = en,
+                                           .impact = {pair.velocity, pair.mass_eff()},
+                                           .radius_eff = pair.radius_eff(),
+                                           .density = pair.density};
+        const auto snippet = calibration::export_law(engine, what);
+        if (snippet.fidelity == calibration::Fidelity::absent) continue;
+        const bool exact = snippet.fidelity == calibration::Fidelity::exact;
         // A close snippet promises what it says it gives: another end of contact, or another law that meets the target.
         const bool other_end = snippet.gives.status == CollisionStatus::ended_by_force && end == ContactEnd::overlap;
         const ContactEnd runs = other_end ? ContactEnd::force : end;
         const bool repeatable = exact || other_end;
         cases.push_back({engine,
-                         "exported " + std::string(calibrate::text(law)) + ", " + std::string(calibrate::text(end)),
+                         "exported " + std::string(calibration::text(law)) + ", " + std::string(calibration::text(end)),
                          snippet.text, runs, en, snippet.gives.en, snippet.gives.tcol,
                          repeatable ? std::optional(what.law) : std::nullopt, law == LawName::fractional});
       }

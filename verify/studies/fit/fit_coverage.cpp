@@ -9,7 +9,7 @@ namespace ricochet::verify {
 
 namespace {
 
-using namespace calibrate;
+using namespace calibration;
 
 constexpr double mass = 7.06858e-6;
 constexpr int speeds = 12;

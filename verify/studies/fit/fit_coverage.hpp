@@ -9,7 +9,7 @@ namespace ricochet::verify {
 
 /// How often a parameter's 95 % interval, value ± 1.96 standard errors, held the truth.
 struct Coverage {
-  calibrate::FitRequest request;
+  calibration::FitRequest request;
   bool with_times = false;
   std::string parameter;
   double truth;
@@ -21,7 +21,7 @@ struct Coverage {
 /// (0.01 in e_n, 2 % in t_col), fitted `trials` times. The law's collisions are `collide`'s, not the fit's own forward
 /// model.
 struct CoverageCase {
-  calibrate::FitRequest request;
+  calibration::FitRequest request;
   bool with_times = false;
 };
 

@@ -15,9 +15,9 @@ namespace ricochet::verify {
 
 namespace {
 
-using calibrate::Fit;
-using calibrate::LawName;
-using calibrate::Measurement;
+using calibration::Fit;
+using calibration::LawName;
+using calibration::Measurement;
 using console::Table;
 
 // Any mass will do where there are no collision times: e_n then depends on the combinations that the fit reports.

@@ -13,15 +13,15 @@ namespace ricochet::verify {
 
 namespace {
 
-using calibrate::Calibration;
-using calibrate::LawName;
-using calibrate::Parameter;
-using calibrate::text;
+using calibration::Calibration;
+using calibration::LawName;
+using calibration::Parameter;
+using calibration::text;
 using console::Json;
 using console::Notation;
 using console::Table;
 
-constexpr calibrate::Target target{1e-4, 0.5, {0.5, 7.06858e-6}};
+constexpr calibration::Target target{1e-4, 0.5, {0.5, 7.06858e-6}};
 constexpr double greatest_deviation = 3e-3;  ///< of the printed coefficients from the exact ones, relative
 constexpr double hit = 1e-10;                ///< of the target by ours, relative
 
@@ -78,10 +78,10 @@ AnyLaw law_of(const Row& row) {
 void complete(Row& row) {
   const CollideOptions options{.end = row.end, .method = CollideMethod::numerical};
   row.paper_gives = collide(law_of(row), target.impact, options);
-  calibrate::Request request{row.law, row.end, target};
+  calibration::Request request{row.law, row.end, target};
   if (row.law == LawName::fractional) request.stiffness = row.paper.at(0).value;
-  const auto ours = std::get<Calibration>(calibrate::calibrate(request));
-  row.ours = calibrate::parameters(ours.law);
+  const auto ours = std::get<Calibration>(calibration::calibrate(request));
+  row.ours = calibration::parameters(ours.law);
   row.ours_give = ours.achieved;
 }
 
@@ -162,8 +162,8 @@ Json rows_json(const std::vector<Row>& rows) {
 double overlap_end_moved() {
   double end[2] = {};
   for (const int i : {0, 1}) {
-    const calibrate::Request request{LawName::fractional, ContactEnd::force, target, i ? 5 * 5225.0 : 5225.0};
-    end[i] = std::get<Calibration>(calibrate::calibrate(request)).achieved.overlap_end;
+    const calibration::Request request{LawName::fractional, ContactEnd::force, target, i ? 5 * 5225.0 : 5225.0};
+    end[i] = std::get<Calibration>(calibration::calibrate(request)).achieved.overlap_end;
   }
   return deviation(end[1], end[0]);
 }
