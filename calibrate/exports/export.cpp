@@ -37,23 +37,13 @@ void check(const ExportCase& what) {
   if (what.density) support::require_positive("density", *what.density);
 }
 
-struct ParametersInWords {
-  std::string operator()(const Linear& l) const {
-    return "k = " + number(l.k()) + " N/m, c = " + number(l.c()) + " kg/s";
-  }
-  std::string operator()(const KuwabaraKono& l) const {
-    return "k = " + number(l.k()) + " N/m^(3/2), c = " + number(l.c()) + " kg/(s m^(1/2))";
-  }
-  std::string operator()(const Tsuji& l) const {
-    return "k = " + number(l.k()) + " N/m^(3/2), c = " + number(l.c()) + " kg/(s m^(1/4))";
-  }
-  std::string operator()(const Hysteretic& l) const {
-    return "k1 = " + number(l.k1()) + " N/m, k2 = " + number(l.k2()) + " N/m";
-  }
-  std::string operator()(const Fractional& l) const {
-    return "k = " + number(l.k()) + " N/m, c = " + number(l.c()) + " kg/s, alpha = " + number(l.alpha());
-  }
-};
+/// "k = 7316 kg/s^2, c = 0.098 kg/s"
+std::string in_words(const AnyLaw& law) {
+  std::string words;
+  for (const NamedValue& p : parameters(law))
+    words += (words.empty() ? "" : ", ") + p.name + " = " + number(p.value) + (p.unit.empty() ? "" : " " + p.unit);
+  return words;
+}
 
 std::string_view word(ContactEnd end) { return end == ContactEnd::force ? "force" : "overlap"; }
 
@@ -86,7 +76,7 @@ std::string heading(const Language& in, const ExportCase& what) {
                      number(what.impact.velocity) + " m/s, effective mass " + number(what.impact.mass_eff) + " kg";
   if (what.radius_eff) pair += ", effective radius " + number(*what.radius_eff) + " m";
   append_comment(text, in.comment, pair);
-  append_comment(text, in.comment, "Law: " + std::visit(ParametersInWords{}, what.law));
+  append_comment(text, in.comment, "Law: " + in_words(what.law));
   return text;
 }
 

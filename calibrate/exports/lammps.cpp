@@ -89,6 +89,12 @@ struct Lammps {
   Body operator()(const Fractional&) const {
     return absent("NOT WRITTEN: LAMMPS has no law with memory; LIGGGHTS runs it through liggghts-ricochet.");
   }
+
+  /// Any law of which nothing is said above.
+  template <class Law>
+  Body operator()(const Law&) const {
+    return absent("NOT WRITTEN: LAMMPS has no " + std::string(Law::name) + " law.");
+  }
 };
 
 }  // namespace

@@ -121,6 +121,12 @@ struct Liggghts {
                                  property("fractionalAlpha", law.alpha())},
                                 "fractional tangential off")};
   }
+
+  /// Any law of which nothing is said above.
+  template <class Law>
+  Body operator()(const Law&) const {
+    return absent("NOT WRITTEN: LIGGGHTS has no " + std::string(Law::name) + " law.");
+  }
 };
 
 }  // namespace

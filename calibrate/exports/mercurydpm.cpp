@@ -81,6 +81,12 @@ struct MercuryDpm {
   Body operator()(const Fractional&) const {
     return absent("NOT WRITTEN: MercuryDPM has no law with memory; LIGGGHTS runs it through liggghts-ricochet.");
   }
+
+  /// Any law of which nothing is said above.
+  template <class Law>
+  Body operator()(const Law&) const {
+    return absent("NOT WRITTEN: MercuryDPM has no " + std::string(Law::name) + " law.");
+  }
 };
 
 }  // namespace

@@ -66,6 +66,12 @@ struct Mfix {
   Body operator()(const Fractional&) const {
     return absent("NOT WRITTEN: MFiX has no law with memory; LIGGGHTS runs it through liggghts-ricochet.");
   }
+
+  /// Any law of which nothing is said above.
+  template <class Law>
+  Body operator()(const Law&) const {
+    return absent("NOT WRITTEN: MFiX has no " + std::string(Law::name) + " law.");
+  }
 };
 
 }  // namespace

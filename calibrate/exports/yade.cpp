@@ -82,6 +82,12 @@ struct Yade {
   Body operator()(const Fractional&) const {
     return absent("NOT WRITTEN: Yade has no law with memory; LIGGGHTS runs it through liggghts-ricochet.");
   }
+
+  /// Any law of which nothing is said above.
+  template <class Law>
+  Body operator()(const Law&) const {
+    return absent("NOT WRITTEN: Yade has no " + std::string(Law::name) + " law.");
+  }
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "pair_law.hpp"
 
 #include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/collision/reduction.hpp>
 #include <ricochet/support/require.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace ricochet::liggghts {
 
@@ -12,9 +12,9 @@ PairLaw::PairLaw(const HalfStepContact& contact) : contact_(contact) {
   const auto ideal = fractional_contact(contact.alpha());
   z_star_ = ideal.z_star;
   en_ = ideal.en;
-  const double log_en = std::log(en_);
-  linear_stiffness_ = std::numbers::pi * std::numbers::pi + log_en * log_en;
-  linear_damping_ = -2 * log_en;
+  const Linear linear = Reduction<Linear>::unit(en_, ContactEnd::overlap)->law;
+  linear_stiffness_ = linear.k();
+  linear_damping_ = linear.c();
 }
 
 PairLaw PairLaw::from_target(double tcol, double en, const ContactFor& contact_for) {

@@ -33,7 +33,7 @@ void Node::reject(std::string_view accepted) const {
 
 void Node::complain(std::string_view message) const { throw BadInput(place() + ": " + std::string(message)); }
 
-void Node::allow(std::initializer_list<std::string_view> keys) const {
+void Node::allow(std::span<const std::string_view> keys) const {
   std::string accepted;
   for (std::string_view key : keys) accepted += (accepted.empty() ? "" : ", ") + std::string(key);
   if (!json_->is_object()) reject("an object with the keys " + accepted);
@@ -74,7 +74,7 @@ std::string Node::text() const {
   return json_->get<std::string>();
 }
 
-std::string Node::one_of(std::initializer_list<std::string_view> accepted) const {
+std::string Node::one_of(std::span<const std::string_view> accepted) const {
   if (json_->is_string() && std::find(accepted.begin(), accepted.end(), json_->get<std::string>()) != accepted.end())
     return text();
   std::string list;

@@ -4,6 +4,7 @@
 #include <ricochet/contact/vec3.hpp>
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,7 +23,8 @@ class Node {
   [[noreturn]] void complain(std::string_view message) const;
 
   /// An object with no key but these.
-  void allow(std::initializer_list<std::string_view> keys) const;
+  void allow(std::span<const std::string_view> keys) const;
+  void allow(std::initializer_list<std::string_view> keys) const { allow(std::span(keys.begin(), keys.size())); }
   bool has(const std::string& key) const { return json_->is_object() && json_->contains(key); }
   Node at(const std::string& key) const;  ///< missing: "missing; must be given"
   Node at(std::size_t index) const;
@@ -32,7 +34,10 @@ class Node {
   double positive() const;
   double not_negative() const;
   std::string text() const;
-  std::string one_of(std::initializer_list<std::string_view> accepted) const;
+  std::string one_of(std::span<const std::string_view> accepted) const;
+  std::string one_of(std::initializer_list<std::string_view> accepted) const {
+    return one_of(std::span(accepted.begin(), accepted.size()));
+  }
   Vec3 vector() const;  ///< [x, y, z]
   const console::Json& json() const { return *json_; }
 

@@ -48,24 +48,21 @@ const Material& material_of(const Node& node, const Materials& materials) {
 }
 
 AnyLaw read_law(const Node& node) {
-  const std::string law = node.at("name").one_of({"linear", "kuwabara-kono", "tsuji", "hysteretic", "fractional"});
-  if (law == "hysteretic") {
-    node.allow({"name", "k1", "k2", "end"});
-    const double k1 = node.at("k1").positive(), k2 = node.at("k2").positive();
-    if (k1 > k2) node.at("k1").reject("at most k2");
-    return Hysteretic(k1, k2);
+  const LawKind kind = *LawKind::named(node.at("name").one_of(Laws::names));
+  std::vector<std::string_view> keys{"name", "end"};
+  std::vector<double> values;
+  for (const Parameter& p : kind.parameters()) keys.insert(keys.end() - 1, p.name);
+  node.allow(keys);
+  for (const Parameter& p : kind.parameters()) {
+    const Node value = node.at(std::string(p.name));
+    if (!p.domain.contains(value.number())) value.reject(p.domain.accepted);
+    values.push_back(value.number());
   }
-  if (law == "fractional") {
-    node.allow({"name", "k", "c", "alpha", "end"});
-    const double alpha = node.at("alpha").number();
-    if (alpha < 0 || alpha > 1) node.at("alpha").reject("in [0, 1]");
-    return Fractional(node.at("k").positive(), node.at("c").positive(), alpha);
+  try {
+    return kind.with(values);
+  } catch (const std::invalid_argument& misuse) {  // parameters that do not go together
+    node.complain(misuse.what());
   }
-  node.allow({"name", "k", "c", "end"});
-  const double k = node.at("k").positive(), c = node.at("c").not_negative();
-  if (law == "linear") return Linear(k, c);
-  if (law == "tsuji") return Tsuji(k, c);
-  return KuwabaraKono(k, c);
 }
 
 Friction read_friction(const Node& node) {

@@ -42,7 +42,7 @@ TEST_CASE("A tuned law collides as asked", "[tuned]") {
   CHECK_THROWS_AS(tuned_law(kind_of<Linear>, tcol, 1.0, impact), std::invalid_argument);
   CHECK_THROWS_AS(tuned_law(kind_of<Linear>, -1, 0.9, impact), std::invalid_argument);
   CHECK_THROWS_WITH(tuned_law(kind_of<Hysteretic>, tcol, 0.9, impact, ContactEnd::overlap),
-                    "end = overlap: must be force for the hysteretic law");
+                    "end = overlap: must be force for the law hysteretic");
   CHECK_THROWS_AS(tuned_law(kind_of<Hysteretic>, 1e-200, 0.9, impact), std::overflow_error);
 }
 

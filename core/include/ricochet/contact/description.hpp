@@ -68,7 +68,7 @@ struct Ends {
 template <class Law>
 concept DescribedLaw = std::copyable<Law> && requires(const Law& law) {
   { Law::name } -> std::convertible_to<std::string_view>;
-  { std::span<const Parameter>(Law::parameters) };
+  {std::span<const Parameter>(Law::parameters)};
   { Law::ends } -> std::convertible_to<Ends>;
   { law.values() } -> std::same_as<std::array<double, Law::parameters.size()>>;
   { Law::from(law.values()) } -> std::same_as<Law>;

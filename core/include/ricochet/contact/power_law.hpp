@@ -23,7 +23,8 @@ class PowerLaw {
        {"c", {4, -Form::damping_quarters, -4}, domains::not_negative}}};
   static constexpr Ends ends = Form::ends;
   /// P and Q. Both are whole numbers of quarters.
-  static constexpr double stiffness_power = Form::stiffness_quarters / 4.0, damping_power = Form::damping_quarters / 4.0;
+  static constexpr double stiffness_power = Form::stiffness_quarters / 4.0,
+                          damping_power = Form::damping_quarters / 4.0;
   /// The γ from which on the overlap never returns to zero.
   static constexpr double overdamped_from = Form::overdamped_from;
 
@@ -106,7 +107,8 @@ using Linear = PowerLaw<LinearForm>;
 /// Hertzian spring with the viscous term of Kuwabara and Kono, the paper's "nonlinear" law: R = kζ^{3/2} + cζ^{1/2}ζ'. Its
 /// damping grows weak as ζ → 0, so its overlap always returns, but slowly: it is calibrated by force alone.
 struct KuwabaraKonoForm {
-  static constexpr std::string_view name = "kuwabara-kono", loss_name = "c k^(-3/5) m^(-2/5)", loss_unit = "(s/m)^(1/5)";
+  static constexpr std::string_view name = "kuwabara-kono", loss_name = "c k^(-3/5) m^(-2/5)",
+                                    loss_unit = "(s/m)^(1/5)";
   static constexpr int stiffness_quarters = 6, damping_quarters = 2;
   static constexpr Ends ends{.overlap = false, .both_by_default = false};
   static constexpr double overdamped_from = std::numeric_limits<double>::infinity();
