@@ -59,7 +59,10 @@ AnyLaw read_law(const Node& node) {
     values.push_back(value.number());
   }
   try {
-    return kind.with(values);
+    const AnyLaw law = kind.with(values);
+    const auto* fractional = std::get_if<Fractional>(&law);
+    if (fractional && !(fractional->alpha() >= 0 && fractional->alpha() <= 1)) node.at("alpha").reject("in [0, 1]");
+    return law;
   } catch (const std::invalid_argument& misuse) {  // parameters that do not go together
     node.complain(misuse.what());
   }

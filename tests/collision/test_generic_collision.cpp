@@ -4,7 +4,7 @@
 #include "../../docs/examples/standard_solid.hpp"
 
 #include <ricochet/collision/collision.hpp>
-#include <ricochet/collision/tuned_law.hpp>
+#include <ricochet/collision/reduction.hpp>
 
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
