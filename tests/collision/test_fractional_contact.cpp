@@ -39,14 +39,14 @@ TEST_CASE("closed form and collocation agree on every number of the fractional c
     INFO("alpha = " << alpha);
     const FractionalContact c = fractional_contact(alpha, end);
     const FractionalSolution s = collocate_collision(alpha, 36, end);
-    REQUIRE(s.separated);
+    REQUIRE(s.separated());
     CHECK(agree(s.tcol, c.tau, tolerance));
     CHECK(agree(s.en, c.en, tolerance));
     CHECK(std::abs(s.overlap_end / s.tcol - c.overlap_end) <= tolerance * c.max_overlap);
     CHECK(agree(s.max_overlap, c.max_overlap * c.tau, tolerance));
-    CHECK(agree(s.t_max_overlap, c.t_max_overlap * c.tau, tolerance));
+    CHECK(agree(s.time_max_overlap, c.t_max_overlap * c.tau, tolerance));
     CHECK(agree(s.max_force, c.max_force / c.tau, tolerance));
-    CHECK(agree(s.t_max_force, c.t_max_force * c.tau, 100 * tolerance));
+    CHECK(agree(s.time_max_force, c.t_max_force * c.tau, 100 * tolerance));
   };
   for (double alpha : {0.0, 0.01, 0.1, 0.2, 0.3197, 0.5, 0.66, 0.8, 0.9, 0.95, 0.97})
     compare(alpha, ContactEnd::force, 1e-12);

@@ -3,9 +3,11 @@
 // Every public header; a test compares this list with the folders.
 #include <ricochet/collision/collision.hpp>
 #include <ricochet/collision/damping_ratio.hpp>
+#include <ricochet/collision/driven_law.hpp>
 #include <ricochet/collision/fractional_collocation.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/fractional_contact_table.hpp>
+#include <ricochet/collision/instant.hpp>
 #include <ricochet/collision/peer_damping.hpp>
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
 #include <ricochet/collision/trace.hpp>

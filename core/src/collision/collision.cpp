@@ -73,8 +73,4 @@ Collision collide(const Fractional& law, const Impact& impact, const CollideOpti
   return collision::closed_form(law, impact, options.end);
 }
 
-Collision collide(const AnyLaw& law, const Impact& impact, const CollideOptions& options) {
-  return std::visit([&](const auto& l) { return collide(l, impact, options); }, law);
-}
-
 }  // namespace ricochet

@@ -41,18 +41,10 @@ Collision follow_fractional(const Fractional& law, const Impact& impact, Contact
   // The polynomials carry the speed to some 1e-15 of v₀, and the square of that of an overlap's end: a rebound slower
   // than these is not told from none.
   const double slowest = end == ContactEnd::force ? 1e-12 : 1e-7;
-  if (solved.separated && !(solved.en >= slowest)) return {.status = CollisionStatus::out_of_range};
-  if (!solved.separated) return {};
-  Collision out;
-  out.status = ended_by(end);
-  out.tcol = solved.tcol;
-  out.en = solved.en;
-  out.overlap_end = end == ContactEnd::force ? solved.overlap_end : 0;
-  out.max_overlap = solved.max_overlap;
-  out.time_max_overlap = solved.t_max_overlap;
-  out.max_force = solved.max_force;
-  out.time_max_force = solved.t_max_force;
-  out.evaluations = static_cast<std::size_t>(solved.nodes) * static_cast<std::size_t>(solved.solves);
+  if (!solved.separated()) return {};
+  if (!(solved.en >= slowest)) return {.status = CollisionStatus::out_of_range};
+  Collision out = static_cast<const Collision&>(solved);
+  if (end == ContactEnd::overlap) out.overlap_end = 0;
   return in_units(out, impact, unit_of(law, impact));
 }
 

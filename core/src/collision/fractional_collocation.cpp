@@ -67,18 +67,18 @@ double strongest(const FractionalMotion& motion, double alpha, double end) {
       .value_or(end);
 }
 
-FractionalSolution summary(const FractionalMotion& motion, double alpha, Events at) {
+FractionalSolution summary(const FractionalMotion& motion, double alpha, ContactEnd end, Events at) {
   const auto time = [&](double y) { return std::pow(y, 1 / (2 - alpha)); };
   FractionalSolution s;
-  s.separated = true;
+  s.status = end == ContactEnd::force ? CollisionStatus::ended_by_force : CollisionStatus::ended_by_overlap;
   s.tcol = time(at.end);
   s.en = -motion.rate(at.end);
   s.overlap_end = s.tcol * motion.overlap(at.end);
-  s.t_max_overlap = time(at.max_overlap);
-  s.max_overlap = s.t_max_overlap * motion.overlap(at.max_overlap);
+  s.time_max_overlap = time(at.max_overlap);
+  s.max_overlap = s.time_max_overlap * motion.overlap(at.max_overlap);
   const double y = strongest(motion, alpha, at.end);
-  s.t_max_force = time(y);
-  s.max_force = std::pow(s.t_max_force, 1 - alpha) * motion.force(y);
+  s.time_max_force = time(y);
+  s.max_force = std::pow(s.time_max_force, 1 - alpha) * motion.force(y);
   const auto& c = motion.rate.coefficients();
   s.error_estimate = (std::abs(c[c.size() - 1]) + std::abs(c[c.size() - 2])) / std::abs(s.en);
   return s;
@@ -94,10 +94,11 @@ FractionalSolution collocate_collision(double alpha, int nodes, ContactEnd end) 
     const int taken = nodes_on(horizon, nodes);
     const FractionalMotion motion = collocate_motion(alpha, taken, horizon);
     const int solves = solution.solves + 1;
-    if (const std::optional<Events> at = events(motion, end)) solution = summary(motion, alpha, *at);
+    if (const std::optional<Events> at = events(motion, end)) solution = summary(motion, alpha, end, *at);
     solution.nodes = taken;
     solution.solves = solves;
-    if (solution.separated) break;
+    solution.evaluations = static_cast<std::size_t>(taken) * static_cast<std::size_t>(solves);
+    if (solution.separated()) break;
   }
   return solution;
 }

@@ -20,7 +20,7 @@ using console::Table;
 /// One curve of a figure, over time; a block of the figure's CSV.
 struct Curve {
   std::string title;
-  std::vector<TracePoint> points;
+  std::vector<Instant> points;
   std::string style;  ///< "with …"
   int panel = 0;      ///< the group of curves that share a column of panels
 };
@@ -48,7 +48,7 @@ std::string csv_of(const std::vector<Curve>& curves) {
   std::string csv = "curve,t [1e-6 s],overlap [1e-6 m],velocity [m/s],force [N]\n";
   for (const Curve& curve : curves) {
     if (&curve != &curves.front()) csv += "\n\n";
-    for (const TracePoint& p : curve.points)
+    for (const Instant& p : curve.points)
       csv += '"' + curve.title + "\"," + console::shortest(p.time * 1e6) + "," + console::shortest(p.overlap * 1e6) +
              "," + console::shortest(p.rate) + "," + console::shortest(p.force) + "\n";
   }
@@ -61,7 +61,7 @@ struct Column {
   std::size_t key_row;
 };
 
-double coordinate(const TracePoint& p, int column) {
+double coordinate(const Instant& p, int column) {
   return column == 2 ? 1e6 * p.time : column == 3 ? 1e6 * p.overlap : column == 4 ? p.rate : p.force;
 }
 
@@ -71,7 +71,7 @@ double tic_step(const std::vector<Curve>& curves, int panel, int column) {
   double low = 0, high = 0;
   for (const Curve& curve : curves) {
     if (curve.panel != panel) continue;
-    for (const TracePoint& p : curve.points) {
+    for (const Instant& p : curve.points) {
       low = std::min(low, coordinate(p, column));
       high = std::max(high, coordinate(p, column));
     }
@@ -117,18 +117,11 @@ console::Figure figure(const std::string& name, const std::string& caption, cons
           .height = 320 * static_cast<int>(rows.size())};
 }
 
-std::vector<TracePoint> points_of(const std::vector<FractionalState>& path) {
-  std::vector<TracePoint> points;
-  points.reserve(path.size());
-  for (const FractionalState& s : path) points.push_back({s.time, s.overlap, s.rate, s.force});
-  return points;
-}
-
 /// The closed form until the force has fallen to zero, or to `longest` [s] where it never does. At t_b the force of
 /// α > 1 is infinite: the first point is left out.
-std::vector<TracePoint> closed_form(const Fractional& law, const Impact& impact, double longest) {
+std::vector<Instant> closed_form(const Fractional& law, const Impact& impact, double longest) {
   const FractionalTrajectory motion(law.coefficient(), law.alpha(), impact.mass_eff, impact.velocity);
-  std::vector<TracePoint> points;
+  std::vector<Instant> points;
   constexpr int samples = 600;
   for (int i = law.alpha() > 1 ? 1 : 0; i <= samples; ++i) {
     const double t = longest * i / samples;
@@ -151,7 +144,7 @@ console::Figure figure2() {
   for (int column = 0; column < 2; ++column) {
     for (const int steps : {5, 10, 20, 40}) {
       const FractionalSolverOptions options{.step = steel_tcol / steps, .end_time = steel_tcol};
-      auto points = points_of(solve_collision(schemes[column], steel, steel_impact, options).path);
+      auto points = solve_collision(schemes[column], steel, steel_impact, options).path;
       missed[column] = console::scientific(std::fabs(points.back().rate - motion.rate(points.back().time)), 0);
       points.front().force = 0;  // at t_b the arms' dashpot stands for what is not yet there
       curves.push_back({"ΔN = " + std::to_string(steps), points, "with linespoints lw 1.5 ps 0.6", column});
@@ -187,8 +180,7 @@ std::vector<Curve> alpha_curves() {
           {"α = " + console::shortest(alpha), closed_form(law, glass_impact, shown(alpha)), line(i), panel});
       if (alpha > 0.97) continue;  // there is no rebound to solve for
       const double step = curves.back().points.back().time / 30;
-      curves.push_back({"",
-                        points_of(solve_collision(FractionalScheme::trapezoid, law, glass_impact, {.step = step}).path),
+      curves.push_back({"", solve_collision(FractionalScheme::trapezoid, law, glass_impact, {.step = step}).path,
                         "with points pt 6 ps 0.5 lc rgb '#767676'", panel});
       curves.back().points.pop_back();  // past the end
     }
@@ -214,7 +206,7 @@ double solver_distance() {
 struct Printed {
   std::string name;
   Collision collision;
-  std::vector<TracePoint> points;
+  std::vector<Instant> points;
 };
 
 template <class Law>

@@ -74,7 +74,7 @@ State exact_state(double density, double time) {
 /// The state after `steps` steps that end at `time`.
 State stepped_state(FractionalScheme scheme, double density, double time, int steps) {
   const FractionalSolverOptions options{.step = time / steps, .end_time = time};
-  const FractionalState end = solve_collision(scheme, law, impact_of(density), options).path.back();
+  const Instant end = solve_collision(scheme, law, impact_of(density), options).path.back();
   return {end.overlap, end.rate, end.force};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ricochet/collision/driven_law.hpp>
 #include <ricochet/contact/any_law.hpp>
 
 #include <cstddef>
@@ -15,15 +16,16 @@ struct Impact {
 
 enum class CollideMethod {
   automatic,    ///< the closed form where there is one, else numerical
-  closed_form,  ///< throws where there is none (Kuwabara-Kono, Tsuji, fractional with α < 0)
+  closed_form,  ///< throws where there is none (Kuwabara-Kono, Tsuji, fractional with α < 0, a law of your own)
   numerical     ///< integrates the law's own equation of motion; knows no closed form
 };
 
 struct CollideOptions {
   ContactEnd end = ContactEnd::force;
   CollideMethod method = CollideMethod::automatic;
-  /// Force evaluations the numerical path may spend. Not of the fractional law, whose collocation takes no more than
-  /// five linear systems of 32 to 120 nodes.
+  /// Force evaluations that the numerical or the generic path may spend; the generic one looks between two runs through
+  /// its mesh, of at most some 2e5. Not of the fractional law, whose collocation takes no more than five linear systems
+  /// of 32 to 120 nodes.
   std::size_t max_evaluations = 1'000'000;
 };
 
@@ -85,6 +87,43 @@ Collision collide(const KuwabaraKono& law, const Impact& impact, const CollideOp
 Collision collide(const Tsuji& law, const Impact& impact, const CollideOptions& options = {});
 Collision collide(const Hysteretic& law, const Impact& impact, const CollideOptions& options = {});
 Collision collide(const Fractional& law, const Impact& impact, const CollideOptions& options = {});
-Collision collide(const AnyLaw& law, const Impact& impact, const CollideOptions& options = {});
+
+namespace collision {
+/// Every duty of the generic `collide`.
+Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& options);
+}  // namespace collision
+
+/// The same of any contact law, by its `force` and `advance` alone; the laws above have better ways of their own, which
+/// overload resolution prefers (`collide<Linear>(…)` asks for this one nevertheless).
+///
+/// Method. The implicit trapezoid with the memory advanced along a linear rate, which is symmetric and of second order,
+/// over N steps from the touch to the turning point and N more to the end, each at the last point of a mesh whose
+/// length is solved for; the mesh is graded by a fourth power towards touch and end, where forces begin like ζ^{1/2},
+/// ζ^{1/4} or t^{1−α}. N is doubled from 16 on and every result extrapolated, by Romberg's scheme and by Wynn's epsilon,
+/// until one of the two has stood still to 1e-10. Memories are only copied, never combined.
+///
+/// The end is looked for after the turning point: by force where that falls to 0, or where it still repels as the
+/// overlap returns to 0. Overlaps below 0 are never shown to the law. no_separation: the motion has grown slower than
+/// 1e-13 v₀, or turned inwards again before the asked end, or nothing repels; out_of_range: also where the force is no
+/// number.
+///
+/// Error: relative to each of tcol, en, max_overlap and max_force, and of overlap_end to max_overlap, 1e-9, where the
+/// law is smooth apart from the touch, the turning point and the end, and e_n ≥ 1e-5; time_max_overlap the same,
+/// time_max_force 1e-5 tcol. Smaller e_n, a law that bends in between, or a memory that is more than 1e3 times faster
+/// than the collision may leave the budget spent. After no_separation the extremes up to the turning point are as
+/// accurate, a greater force past it or an overlap without a turning point is good to 1e-3.
+/// Throws std::invalid_argument as above, and for closed_form.
+template <ContactLaw Law>
+Collision collide(const Law& law, const Impact& impact, const CollideOptions& options = {}) {
+  collision::Driven<Law> driven(law);
+  return collision::follow(driven, impact, options);
+}
+
+/// For AnyLaw itself and nothing that merely converts to it: a law in the variant without a `collide` of its own would
+/// otherwise call this one, and that itself, without end.
+template <std::same_as<AnyLaw> Any>
+Collision collide(const Any& law, const Impact& impact, const CollideOptions& options = {}) {
+  return std::visit([&](const auto& one) { return collide(one, impact, options); }, law);
+}
 
 }  // namespace ricochet

@@ -1,20 +1,13 @@
 #pragma once
 
-#include <ricochet/contact/law.hpp>
+#include <ricochet/collision/collision.hpp>
 
 namespace ricochet {
 
 /// A binary collision of the fractional law (30) in the units m = v₀ = c^α k^{1−α} = 1: times in A^{−1/(2−α)},
-/// A = c^α k^{1−α}/m; overlaps in v₀ times that; forces in m v₀ over that.
-struct FractionalSolution {
-  bool separated = false;     ///< the asked end was found; otherwise every number below is 0
-  double tcol = 0;            ///< first zero of the force (25) or of the overlap (24)
-  double en = 0;              ///< −ζ'(t_col)/v₀
-  double overlap_end = 0;     ///< ζ(t_col)
-  double max_overlap = 0;     ///< ζ at its greatest
-  double t_max_overlap = 0;   ///< and when
-  double max_force = 0;       ///< R at its greatest
-  double t_max_force = 0;     ///< and when
+/// A = c^α k^{1−α}/m; overlaps in v₀ times that; forces in m v₀ over that. Where the asked end was not found every
+/// number of the collision is 0.
+struct FractionalSolution : Collision {
   double error_estimate = 0;  ///< last Chebyshev coefficients of the rate, relative to e_n
   int nodes = 0;              ///< collocation nodes of the last system
   int solves = 0;             ///< linear systems of that size: more than one where the first interval was too short

@@ -2,25 +2,19 @@
 
 #include <ricochet/support/require.hpp>
 #include <ricochet/collision/collision.hpp>
+#include <ricochet/collision/instant.hpp>
 
 #include <cstddef>
 #include <vector>
 
 namespace ricochet {
 
-struct TracePoint {
-  double time = 0;     ///< from t_b [s]
-  double overlap = 0;  ///< [m]
-  double rate = 0;     ///< [m/s]
-  double force = 0;    ///< signed, as the law's formula says [N]
-};
-
 /// The motion m ζ'' + force = 0 from ζ = 0, ζ' = v₀ over `duration` [s] in equal steps, to be drawn or listed: the
 /// velocity Verlet scheme with the rate extrapolated for the force and corrected once, second order where the law is
 /// smooth. `collide` is the accurate way to the numbers of a collision; this is the way to its curves. Gives steps + 1
 /// points. Throws std::invalid_argument unless velocity, mass_eff and duration are finite and > 0 and steps at least 1.
 template <ContactLaw Law>
-std::vector<TracePoint> trace(const Law& law, const Impact& impact, double duration, std::size_t steps) {
+std::vector<Instant> trace(const Law& law, const Impact& impact, double duration, std::size_t steps) {
   support::require_positive("velocity", impact.velocity);
   support::require_positive("mass_eff", impact.mass_eff);
   support::require_positive("duration", duration);
@@ -29,7 +23,7 @@ std::vector<TracePoint> trace(const Law& law, const Impact& impact, double durat
   typename Law::Memory memory{};
   Approach now{0, impact.velocity};
   double force = law.force(now, memory);
-  std::vector<TracePoint> points{{0, now.overlap, now.rate, force}};
+  std::vector<Instant> points{{0, now.overlap, now.rate, force}};
   for (std::size_t n = 1; n <= steps; ++n) {
     Approach after{now.overlap + h * (now.rate - 0.5 * h * force / m), now.rate - h * force / m};
     typename Law::Memory next = memory;

@@ -63,8 +63,10 @@ Path follow(FractionalScheme scheme, const Mesh& mesh, const collision::Exponent
     case FractionalScheme::trapezoid: return collision::trapezoid_path(mesh);
     case FractionalScheme::arms_trapezoid: return collision::arms_trapezoid_path(mesh, kernel);
     case FractionalScheme::arms_exponential: return collision::arms_exponential_path(mesh, kernel);
-    default: return collision::arms_rosenbrock_path(mesh, kernel);
+    case FractionalScheme::arms_rosenbrock: return collision::arms_rosenbrock_path(mesh, kernel);
+    case FractionalScheme::collocation: break;  // takes no steps
   }
+  return {};
 }
 
 void check(FractionalScheme scheme, const Fractional& law, const Impact& impact, const FractionalSolverOptions& o) {
@@ -105,7 +107,7 @@ collision::Exponentials scaled(const MemoryKernel& kernel, double unit) {
 FractionalSolverResult by_collocation(const Fractional& law, const Impact& impact, const FractionalSolverOptions& o) {
   const FractionalSolution solution = collocate_collision(law.alpha(), o.nodes);
   FractionalSolverResult result;
-  if (!solution.separated) return result;
+  if (!solution.separated()) return result;
   const double unit = natural_time(law, impact);
   const auto n = static_cast<std::size_t>(solution.nodes), solves = static_cast<std::size_t>(solution.solves);
   result.status = CollisionStatus::ended_by_force;
@@ -127,8 +129,9 @@ std::string_view name(FractionalScheme scheme) noexcept {
     case FractionalScheme::arms_trapezoid: return "arms, trapezoid";
     case FractionalScheme::arms_exponential: return "arms, exponential";
     case FractionalScheme::arms_rosenbrock: return "arms, Rosenbrock 4";
-    default: return "collocation";
+    case FractionalScheme::collocation: return "collocation";
   }
+  return {};
 }
 
 MemoryKernel solver_kernel(const Fractional& law, const Impact& impact, double shortest, double tolerance) {

@@ -2,6 +2,7 @@
 
 #include <ricochet/contact/fractional.hpp>
 #include <ricochet/collision/collision.hpp>
+#include <ricochet/collision/instant.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -48,22 +49,13 @@ struct FractionalSolverOptions {
 /// be prepared once where many collisions share it.
 MemoryKernel solver_kernel(const Fractional& law, const Impact& impact, double shortest, double tolerance = 1e-10);
 
-struct FractionalState {
-  double time = 0;     ///< from t_b [s]
-  double overlap = 0;  ///< [m]
-  double rate = 0;     ///< [m/s]
-  double force = 0;    ///< signed [N]
-};
-
-struct FractionalSolverResult {
-  CollisionStatus status = CollisionStatus::no_separation;
-  double tcol = 0;         ///< first zero of the force [s]; with end_time: the last mesh point, status budget_spent
-  double en = 0;           ///< −ζ'(t_col)/v₀
-  double overlap_end = 0;  ///< ζ(t_col) [m]
+/// Status, tcol, en and overlap_end of a collision that ends by force (the extremes stay 0), and what it took. With
+/// end_time: tcol is the last mesh point, status budget_spent.
+struct FractionalSolverResult : Collision {
   std::size_t steps = 0;
   std::size_t kernel_evaluations = 0;  ///< powers and exponentials taken
   std::size_t multiplications = 0;     ///< of samples or states by weights
-  std::vector<FractionalState> path;   ///< at t_b and at each mesh point (empty for collocation)
+  std::vector<Instant> path = {};      ///< at t_b and at each mesh point (empty for collocation)
 };
 
 /// One collision by one scheme. The memory starts at t_b, inside the first step; the end is located inside the last

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scaled_contact.hpp"
+
+namespace ricochet::collision {
+
+/// Where the events of a collision lie, to a per mille or so; times of the scaled motion from the touch on.
+struct Scouted {
+  CollisionStatus status = CollisionStatus::budget_spent;  ///< an end, or why there is none
+  double turn = 0;                                         ///< when the overlap is greatest; 0: it never turned
+  double end = 0;
+  bool by_overlap = false;  ///< the overlap may have returned to 0 no later than the force
+  Instant deepest = {}, strongest = {};
+};
+
+Scouted scout(ScaledContact& contact, ContactEnd end, std::size_t budget);
+
+}  // namespace ricochet::collision
