@@ -2,6 +2,7 @@
 
 #include "../../docs/examples/standard_solid.hpp"
 
+#include <ricochet/motion/column.hpp>
 #include <ricochet/motion/engine/column_engine.hpp>
 
 #include <catch2/catch.hpp>
@@ -53,4 +54,46 @@ TEST_CASE("an added law is stepped to second order by the column engine") {
     return sum / 16;
   };
   CHECK(std::log2(error(tcol / 200) / error(tcol / 800)) / 2 == Approx(2).margin(0.2));
+}
+
+TEST_CASE("an added law runs in run_column as its engine does, and its step is bounded there") {
+  const StandardSolid law(k, k, 0.2 * tcol);
+  const Column column = equal_column(5, mass, 1e-6, -velocity);
+  ColumnOptions options{.step = tcol / 200, .duration = 100 * tcol};
+  const ColumnResult ran = run_column(column, law, law, options);
+  CHECK(ran.end == ColumnEnd::separated);
+  CHECK(ran.energy_ratio < 1);
+  ColumnEngine<StandardSolid> engine(column, law, law, options);
+  for (std::size_t n = 0; n < ran.steps; ++n) {
+    if (!engine.any_contact()) engine.skip_free_flight();
+    engine.step();
+  }
+  for (std::size_t i = 0; i < engine.beads(); ++i) CHECK(engine.velocity(i) == ran.velocity[i]);
+  options.step = 1.01 * largest_step(column, law, law);
+  CHECK_THROWS_WITH(run_column(column, law, law, options), Catch::StartsWith("step = "));
+}
+
+// Of laws whose slopes are written down the bound found by numbers alone must be the same: of a linear one to the
+// bisection, 2^{-40}; of Hertzian ones theirs is a bound, at an overlap that no collision passes, and near it for weak
+// damping: at c = 0 the overlap reaches it to the per mille of the walk.
+TEST_CASE("the largest step of an added law is that of the slopes it shows") {
+  const Column one = equal_column(1, mass, 0, -velocity);
+  const auto by_numbers = [&](const auto& law) {
+    collision::Driven driven(law);
+    return motion::stable_step(driven, 1 / mass, mass, velocity);
+  };
+  for (const double ratio : {0.0, 0.1, 1.0, 10.0}) {
+    const Linear law(k, 2 * ratio * std::sqrt(k * mass));
+    CAPTURE(ratio);
+    CHECK(by_numbers(law) == Approx(largest_step(one, law, law)).epsilon(1e-9));
+  }
+  CHECK(by_numbers(Hysteretic(k, 4 * k)) == Approx(largest_step(one, Hysteretic(k, 4 * k), Hysteretic(k, 4 * k))));
+  const Tsuji hertz(1e6, 0);
+  const double bound = largest_step(one, hertz, hertz);
+  CHECK(by_numbers(hertz) >= 0.95 * bound);  // a step's mean sees the slope beyond the greatest overlap, too
+  CHECK(by_numbers(hertz) <= 1.01 * bound);
+  // An arm that never flows is a second spring; the generic mean_force carries it exactly.
+  const Linear twice(2 * k, 0);
+  const StandardSolid frozen(k, k, 1e6 * tcol);
+  CHECK(largest_step(one, frozen, frozen) == Approx(largest_step(one, twice, twice)).epsilon(1e-6));
 }

@@ -476,3 +476,24 @@ TEST_CASE("Misuse of a column is named", "[column]") {
                     Catch::StartsWith("memory_tolerance = 1e-12: must be at least ") &&
                         Catch::EndsWith("at alpha = 0.3 with a longest memory of 1e+05 shortest ones"));
 }
+
+// Ended by force the pair still overlaps while it opens. A hysteretic spring cannot push any more: nothing is left to
+// come. The arms of a fractional contact relax meanwhile and may: it is over when the pair has parted.
+TEST_CASE("A column is over when its contacts' memories can no longer wake", "[column]") {
+  const auto slack_in_contact = [](auto& engine) {
+    while (!(engine.velocity(0) > 0)) engine.step();
+    for (double before = -1; engine.velocity(0) != before;) before = engine.velocity(0), engine.step();
+    REQUIRE(engine.any_contact());
+    REQUIRE(engine.overlap(0) > 0);
+    return !engine.finished();
+  };
+  const ColumnOptions o = options(400, ContactEnd::force);
+  const Column one = equal_column(1, mass, 1e-7, velocity);
+  const Fractional ideal = fractional(mass, 0.6);
+  const FractionalArms arms(ideal, memory_kernel(0.6, o.step, 1000 * o.step, 1e-6), o.step);
+  ColumnEngine<FractionalArms> fractional_engine(one, arms, arms, o);
+  CHECK(slack_in_contact(fractional_engine));
+  const Hysteretic spring = hysteretic(mass, 0.6);
+  ColumnEngine<Hysteretic> hysteretic_engine(one, spring, spring, o);
+  CHECK_FALSE(slack_in_contact(hysteretic_engine));
+}

@@ -32,8 +32,12 @@
 #include <ricochet/motion/column.hpp>
 #include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/engine/column_arms.hpp>
+#include <ricochet/motion/engine/column_energy.hpp>
 #include <ricochet/motion/engine/column_engine.hpp>
+#include <ricochet/motion/engine/column_events.hpp>
 #include <ricochet/motion/engine/column_memory.hpp>
+#include <ricochet/motion/engine/column_run.hpp>
+#include <ricochet/motion/engine/column_step.hpp>
 #include <ricochet/motion/event_driven_column.hpp>
 #include <ricochet/motion/linked_cells.hpp>
 #include <ricochet/version.hpp>

@@ -2,8 +2,6 @@
 
 #include "affordable_kernel.hpp"
 
-#include <ricochet/motion/engine/column_engine.hpp>
-
 #include <charconv>
 #include <stdexcept>
 #include <string>
@@ -11,33 +9,6 @@
 namespace ricochet {
 
 namespace {
-
-template <ContactLaw Law>
-ColumnResult run(const Column& column, const Law& plate, const Law& pair, const ColumnOptions& options) {
-  ColumnEngine<Law> engine(column, plate, pair, options);
-  ColumnResult result;
-  // Looking for the end costs as much as half a step, so it is done now and then, and always while nothing touches.
-  constexpr std::size_t patience = 32;
-  bool over = engine.finished(), whole = true;
-  while (!over && whole && engine.time() < options.duration) {
-    if (!engine.any_contact()) engine.skip_free_flight();
-    engine.step();
-    ++result.steps;
-    if (!engine.any_contact() || result.steps % patience == 0) over = engine.finished(), whole = engine.finite();
-  }
-  ColumnResult broken;
-  broken.end = ColumnEnd::broke_down, broken.steps = result.steps;
-  if (!engine.finite()) return broken;
-  if (over) result.end = engine.resting() ? ColumnEnd::resting : ColumnEnd::separated;
-  result.time = engine.time();
-  for (std::size_t i = 0; i < engine.beads(); ++i) result.velocity.push_back(engine.velocity(i));
-  result.energy_ratio = kinetic_energy_ratio(column, result.velocity);
-  result.contacts = engine.contacts();
-  result.last_contact_time = engine.last_contact_time();
-  result.energy = engine.energy();
-  if (!std::isfinite(result.energy_ratio) || (column.gravity == 0 && result.energy_ratio > 1.1)) return broken;
-  return result;
-}
 
 std::string three_digits(double value) {
   char digits[32];
@@ -64,22 +35,12 @@ MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
   return kernel;
 }
 
-void check(const Column& column, const AnyLaw& plate, const AnyLaw& pair, const ColumnOptions& options) {
-  support::require_positive("step", options.step);
-  support::require_positive("duration", options.duration);
-  support::require_not_negative("shortest_memory", options.shortest_memory);
-  support::require_not_negative("longest_memory", options.longest_memory);
-  const double largest = largest_step(column, plate, pair);
-  if (options.step > largest)
-    support::reject("step", options.step, (at_most(largest) + " s for these masses and laws").c_str());
-}
-
 ColumnResult run_fractional(const Column& column, const Fractional& plate, const Fractional& pair,
                             const ColumnOptions& options) {
   const MemoryKernel of_plate = kernel_for(plate.alpha(), options);
   const MemoryKernel of_pair = pair.alpha() == plate.alpha() ? of_plate : kernel_for(pair.alpha(), options);
-  return run(column, FractionalArms(plate, of_plate, options.step), FractionalArms(pair, of_pair, options.step),
-             options);
+  return motion::run(column, FractionalArms(plate, of_plate, options.step), FractionalArms(pair, of_pair, options.step),
+                     options);
 }
 
 }  // namespace
@@ -99,6 +60,17 @@ double kinetic_energy_ratio(const Column& column, const std::vector<double>& vel
 
 namespace motion {
 
+void check(const ColumnOptions& options) {
+  support::require_positive("step", options.step);
+  support::require_positive("duration", options.duration);
+  support::require_not_negative("shortest_memory", options.shortest_memory);
+  support::require_not_negative("longest_memory", options.longest_memory);
+}
+
+void check_step(double step, double largest) {
+  if (step > largest) support::reject("step", step, (at_most(largest) + " s for these masses and laws").c_str());
+}
+
 void check(const Column& column) {
   const std::size_t beads = column.mass.size();
   support::require_positive("beads", static_cast<double>(beads));
@@ -115,6 +87,11 @@ void check(const Column& column) {
 
 }  // namespace motion
 
+template ColumnResult run_column(const Column&, const Linear&, const Linear&, const ColumnOptions&);
+template ColumnResult run_column(const Column&, const KuwabaraKono&, const KuwabaraKono&, const ColumnOptions&);
+template ColumnResult run_column(const Column&, const Tsuji&, const Tsuji&, const ColumnOptions&);
+template ColumnResult run_column(const Column&, const Hysteretic&, const Hysteretic&, const ColumnOptions&);
+
 ColumnResult run_column(const Column& column, const AnyLaw& plate, const AnyLaw& pair, const ColumnOptions& options) {
   return std::visit(
       [&]<class Law>(const Law& plate_law) -> ColumnResult {
@@ -122,11 +99,12 @@ ColumnResult run_column(const Column& column, const AnyLaw& plate, const AnyLaw&
         if (!pair_law)
           throw std::invalid_argument("pair = " + std::string(name(pair)) + ": must be of the plate's kind, " +
                                       std::string(name(plate)));
-        check(column, plate, pair, options);
         if constexpr (std::same_as<Law, Fractional>) {
+          motion::check(options);
+          motion::check_step(options.step, largest_step(column, plate, pair));
           return run_fractional(column, plate_law, *pair_law, options);
         } else {
-          return run(column, plate_law, *pair_law, options);
+          return run_column<Law>(column, plate_law, *pair_law, options);
         }
       },
       plate);

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <ricochet/collision/driven_law.hpp>
+#include <ricochet/collision/instant.hpp>
 #include <ricochet/contact/laws.hpp>
 
+#include <concepts>
 #include <cstddef>
+#include <functional>
 
 namespace ricochet {
 
@@ -91,6 +94,9 @@ Collision collide(const Fractional& law, const Impact& impact, const CollideOpti
 namespace collision {
 /// Every duty of the generic `collide`.
 Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& options);
+/// Shows `visit` a collision that ends by force at some hundred instants, to a per mille or so; the memory of `law` is
+/// then that of the instant. Some 1e5 evaluations at most.
+void walk(DrivenLaw& law, const Impact& impact, const std::function<void(const Instant&)>& visit);
 }  // namespace collision
 
 /// The same of any contact law, by its `force` and `advance` alone; the laws above have better ways of their own, which

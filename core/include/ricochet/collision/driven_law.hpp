@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ricochet/contact/law.hpp>
+#include <ricochet/contact/mean_force.hpp>
 
 #include <string_view>
 
@@ -19,6 +20,8 @@ class DrivenLaw {
   virtual void touch() = 0;
   /// The force [N] with the memory as it is.
   virtual double force(Approach a) const noexcept = 0;
+  /// The mean force [N] over the next dt [s] at a constant rate.
+  virtual double mean(Approach a, double dt) const noexcept = 0;
   /// The force [N] at the end of a step over dt [s]; the memory stays until the step is accepted.
   virtual double try_step(Approach before, Approach after, double dt) = 0;
   virtual void accept() = 0;
@@ -39,6 +42,9 @@ class Driven final : public DrivenLaw {
   std::string_view name() const noexcept override { return Law::name; }
   void touch() override { memory_ = {}; }
   double force(Approach a) const noexcept override { return law_.force(a, memory_); }
+  double mean(Approach a, double dt) const noexcept override {
+    return mean_force(law_, a.overlap, a.rate, memory_, dt);
+  }
   double try_step(Approach before, Approach after, double dt) override {
     tried_ = memory_;
     law_.advance(tried_, before, after, dt);

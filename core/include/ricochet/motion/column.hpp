@@ -23,7 +23,7 @@ double kinetic_energy_ratio(const Column& column, const std::vector<double>& vel
 
 namespace motion {
 void check(const Column& column);  ///< throws std::invalid_argument for what the members' comments exclude
-}
+}  // namespace motion
 
 struct ColumnOptions {
   double step = 0;      ///< [s] > 0, at most `largest_step`; second order: t_col/200 gives E/E0 to about 1e-5 in the
@@ -71,17 +71,26 @@ struct ColumnResult {
 /// The largest step that the scheme bears [s]: h·g(h)·Σ ≤ 1/2 in every contact, with g the rise of the step's mean
 /// force with the rate (kh/2 + c; fractional: c^α k^{1−α} h^{1−α}/Γ(3−α)) and Σ the inverse masses that its force and
 /// its neighbours' act through. Where g depends on the overlap (Kuwabara-Kono, Tsuji) it is taken at the greatest one
-/// of a binary collision at the greatest speed that the initial velocities let two bodies meet with. A single bead on a
-/// spring: t_col/π. Throws std::invalid_argument for a Column that `run_column` refuses. Derivation:
-/// docs/theory/column.md.
+/// of a binary collision at the greatest speed that the initial velocities let two bodies meet with; of a law of your
+/// own, whose slopes nobody has written down, it is the greatest that `mean_force` shows along that collision (at a
+/// speed of 1e-9 m/s at least). A single bead on a spring: t_col/π. Throws std::invalid_argument for a Column that
+/// `run_column` refuses. Derivation: docs/theory/column.md.
+template <ContactLaw Law>
+double largest_step(const Column& column, const Law& plate, const Law& pair);
 double largest_step(const Column& column, const AnyLaw& plate, const AnyLaw& pair);
 
-/// Runs a column until all contacts are over, every pair with the law `pair` and the plate's contact with `plate`; both
-/// must be of the same kind. The fractional law runs on Maxwell arms prepared by `memory_kernel`. The scheme
-/// (ColumnEngine, docs/theory/column.md) is of second order in the step through every start and end of contact; a step
-/// costs time linear in the number of beads.
-/// Throws std::invalid_argument for vectors of different or no length, a value outside its range, laws of different
-/// kinds, a step beyond `largest_step`, or a fractional memory that needs more arms than a contact carries.
+/// Runs a column until all contacts are over, every pair with the law `pair` and the plate's contact with `plate`. The
+/// scheme (ColumnEngine, docs/theory/column.md) is of second order in the step through every start and end of contact;
+/// a step costs time linear in the number of beads.
+/// Throws std::invalid_argument for vectors of different or no length, a value outside its range, or a step beyond
+/// `largest_step`.
+template <ContactLaw Law>
+ColumnResult run_column(const Column& column, const Law& plate, const Law& pair, const ColumnOptions& options);
+/// The same for laws known when it runs, which must be of one kind. The fractional law runs on Maxwell arms prepared by
+/// `memory_kernel`. Throws also for laws of different kinds, and a fractional memory that needs more arms than a contact
+/// carries.
 ColumnResult run_column(const Column& column, const AnyLaw& plate, const AnyLaw& pair, const ColumnOptions& options);
 
 }  // namespace ricochet
+
+#include <ricochet/motion/engine/column_run.hpp>

@@ -171,4 +171,14 @@ Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& opt
   return in_units(out, impact, *unit);
 }
 
+void walk(DrivenLaw& law, const Impact& impact, const Visit& visit) {
+  const std::optional<double> unit = time_scale(law, impact);
+  if (!unit) return;
+  ScaledContact contact(law, impact, *unit);
+  const double length = impact.velocity * *unit, force_unit = impact.mass_eff * impact.velocity / *unit;
+  scout(contact, ContactEnd::force, 100'000, [&](const Instant& at) {
+    visit({at.time * *unit, at.overlap * length, at.rate * impact.velocity, at.force * force_unit});
+  });
+}
+
 }  // namespace ricochet::collision

@@ -48,10 +48,11 @@ bool look(Scouted& found, const Instant& from, const Instant& to, ContactEnd end
 
 }  // namespace
 
-Scouted scout(ScaledContact& contact, ContactEnd end, std::size_t budget) {
+Scouted scout(ScaledContact& contact, ContactEnd end, std::size_t budget, const Visit& visit) {
   Scouted found;
   Instant now = contact.touch();
   found.strongest = now;
+  visit(now);
   double h = first_step;
   while (contact.evaluations() < budget) {
     contact.mark();
@@ -68,6 +69,7 @@ Scouted scout(ScaledContact& contact, ContactEnd end, std::size_t budget) {
       return found;
     }
     contact.accept();
+    visit(next);
     if (look(found, now, half, end) || look(found, half, next, end)) return found;
     if (std::max(std::abs(now.rate), std::abs(next.rate)) < creeping || next.time > 1e100) {
       found.status = CollisionStatus::no_separation;

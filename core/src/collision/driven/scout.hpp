@@ -2,6 +2,8 @@
 
 #include "scaled_contact.hpp"
 
+#include <functional>
+
 namespace ricochet::collision {
 
 /// Where the events of a collision lie, to a per mille or so; times of the scaled motion from the touch on.
@@ -13,6 +15,9 @@ struct Scouted {
   Instant deepest = {}, strongest = {};
 };
 
-Scouted scout(ScaledContact& contact, ContactEnd end, std::size_t budget);
+/// Shows `visit` every instant, with the memory as it then is.
+using Visit = std::function<void(const Instant&)>;
+Scouted scout(
+    ScaledContact& contact, ContactEnd end, std::size_t budget, const Visit& visit = [](const Instant&) {});
 
 }  // namespace ricochet::collision

@@ -13,7 +13,7 @@ template <>
 class ColumnMemory<FractionalArms> {
  public:
   using Memory = FractionalArms::Memory;
-  static constexpr bool remembers = true, may_wake = true;
+  static constexpr bool remembers = true;
 
   ColumnMemory(std::span<const FractionalArms> laws, std::span<const std::uint32_t> kind, double step)
       : laws_(laws), kind_(kind) {
@@ -32,6 +32,9 @@ class ColumnMemory<FractionalArms> {
     std::copy_n(arms_of(j), law(j).arms(), m.elongation.begin());
     return m;
   }
+
+  /// Arms relax for ever.
+  bool may_wake(std::size_t /*contact*/, Approach /*now*/) const noexcept { return true; }
 
   void reset(std::size_t j) noexcept {
     std::fill_n(arms_of(j), stride_, 0.0);

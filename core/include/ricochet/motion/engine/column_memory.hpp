@@ -2,6 +2,8 @@
 
 #include <ricochet/contact/mean_force.hpp>
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,12 +20,23 @@ class ColumnMemory {
       : laws_(laws), kind_(kind), step_(step), memory_(kind.size()) {}
 
   static constexpr bool remembers = !std::same_as<Memory, NoMemory>;
-  /// Whether the force of a pair that opens freely may turn repulsive again before the pair has separated.
-  static constexpr bool may_wake = remembers && !std::same_as<Law, Hysteretic>;
-
   const Law& law(std::size_t j) const noexcept { return laws_[kind_[j]]; }
   Memory memory(std::size_t j) const noexcept { return remembers ? memory_[j] : Memory{}; }
   void reset(std::size_t j) noexcept { memory_[j] = Memory{}; }
+
+  /// Whether the force of a contact that opens freely may turn repulsive again before the pair has parted: only if its
+  /// memory moves on meanwhile.
+  bool may_wake(std::size_t j, Approach now) const noexcept {
+    if constexpr (!remembers) {
+      return false;
+    } else if constexpr (std::equality_comparable<Memory>) {
+      Memory then = memory_[j];
+      law(j).advance(then, now, {now.overlap + step_ * now.rate, now.rate}, step_);
+      return !(then == memory_[j]);
+    } else {
+      return true;
+    }
+  }
 
   /// Mean force over a whole step, and over a part of one that begins at its start or at the first touch.
   double step_mean(std::size_t j, double overlap, double rate) const noexcept {
@@ -53,6 +66,12 @@ class ColumnMemory {
   std::span<const std::uint32_t> kind_;
   double step_;
   std::vector<Memory> memory_;
+};
+
+/// A bank that steps the memories of neighbouring contacts under one law all at once; see ColumnMemory<FractionalArms>.
+template <class Bank>
+concept StepsInBlocks = requires(Bank& bank, std::size_t first, const double* overlaps) {
+  bank.advance_steps(first, first, overlaps, overlaps);
 };
 
 }  // namespace ricochet::motion
