@@ -1,5 +1,6 @@
 #include <simulate/scene.hpp>
 
+#include "law.hpp"
 #include "node.hpp"
 
 #include <console/exit.hpp>
@@ -47,27 +48,6 @@ const Material& material_of(const Node& node, const Materials& materials) {
   node.reject("one of the materials " + known);
 }
 
-AnyLaw read_law(const Node& node) {
-  const LawKind kind = *LawKind::named(node.at("name").one_of(Laws::names));
-  std::vector<std::string_view> keys{"name", "end"};
-  std::vector<double> values;
-  for (const Parameter& p : kind.parameters()) keys.insert(keys.end() - 1, p.name);
-  node.allow(keys);
-  for (const Parameter& p : kind.parameters()) {
-    const Node value = node.at(std::string(p.name));
-    if (!p.domain.contains(value.number())) value.reject(p.domain.accepted);
-    values.push_back(value.number());
-  }
-  try {
-    const AnyLaw law = kind.with(values);
-    const auto* fractional = std::get_if<Fractional>(&law);
-    if (fractional && !(fractional->alpha() >= 0 && fractional->alpha() <= 1)) node.at("alpha").reject("in [0, 1]");
-    return law;
-  } catch (const std::invalid_argument& misuse) {  // parameters that do not go together
-    node.complain(misuse.what());
-  }
-}
-
 Friction read_friction(const Node& node) {
   node.allow({"mu_static", "mu_dynamic", "decay", "rolling_arm"});
   const double mu_static = node.at("mu_static").not_negative();
@@ -87,7 +67,6 @@ Interactions read_interactions(const Node& node, const Materials& materials) {
     const auto pair =
         std::minmax(material_of(between.at(0), materials).index, material_of(between.at(1), materials).index);
     const Node law = entry.at("law");
-    if (!law.json().is_object()) law.reject("an object with a law's name and parameters");
     Interaction interaction{read_law(law)};
     if (law.has("end") && law.at("end").one_of({"force", "overlap"}) == "overlap")
       interaction.end = ContactEnd::overlap;
