@@ -35,4 +35,7 @@
 #include <ricochet/motion/engine/column_memory.hpp>
 #include <ricochet/motion/event_driven_column.hpp>
 #include <ricochet/motion/linked_cells.hpp>
+#include <ricochet/support/panel.hpp>
+#include <ricochet/support/require.hpp>
+#include <ricochet/support/root.hpp>
 #include <ricochet/version.hpp>
