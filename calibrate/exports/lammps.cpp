@@ -1,6 +1,7 @@
 #include "body.hpp"
 
 #include <ricochet/collision/peer_damping.hpp>
+#include <ricochet/support/root.hpp>
 
 #include <cmath>
 
@@ -11,15 +12,11 @@ namespace {
 /// The argument at which LAMMPS's polynomial is `eta` = c/√(mk). It falls monotonically, and LAMMPS takes arguments
 /// below 0 as well, so every eta above its least value (at 1) has one.
 std::optional<double> polynomial_argument(double eta) {
-  double low = -1, high = 1;
+  double low = -1;
+  const double high = 1;
   if (eta < marshall_polynomial(high)) return std::nullopt;
   while (marshall_polynomial(low) < eta) low *= 2;
-  for (int i = 0; i < 200 && high - low > 0; ++i) {
-    const double middle = 0.5 * (low + high);
-    if (middle == low || middle == high) break;
-    (marshall_polynomial(middle) > eta ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return support::root([=](double x) { return marshall_polynomial(x) - eta; }, low, high);
 }
 
 struct Lammps {

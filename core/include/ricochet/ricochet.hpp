@@ -45,4 +45,7 @@
 #include <ricochet/motion/linked_cells.hpp>
 #include <ricochet/motion/normal_law.hpp>
 #include <ricochet/motion/resolved_time.hpp>
+#include <ricochet/support/panel.hpp>
+#include <ricochet/support/require.hpp>
+#include <ricochet/support/root.hpp>
 #include <ricochet/version.hpp>

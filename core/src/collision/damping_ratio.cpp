@@ -1,6 +1,7 @@
 #include <ricochet/collision/damping_ratio.hpp>
 
 #include <ricochet/support/require.hpp>
+#include <ricochet/support/root.hpp>
 
 #include <numbers>
 
@@ -14,29 +15,17 @@ using std::numbers::pi;
 double x_cot(double x) { return x < 1e-8 ? 1.0 : x / std::tan(x); }
 double x_coth(double x) { return x < 1e-8 ? 1.0 : x / std::tanh(x); }
 
-/// Root of the monotone f(x) = target in [low, high], to the last bits.
-template <class F>
-double bisect(F f, double target, double low, double high) {
-  const bool rising = f(high) > f(low);
-  for (int i = 0; i < 200 && low < high; ++i) {
-    const double middle = 0.5 * (low + high);
-    if (middle == low || middle == high) break;
-    ((f(middle) < target) == rising ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 /// −ln e_n of the contact ended by force.
 double force_ended_loss(double beta) { return beta <= 1 ? 2 * x_cot(std::acos(beta)) : 2 * x_coth(std::acosh(beta)); }
 
 /// β = cos ψ is solved for its complement φ = π/2 − ψ, because −ln e_n = 2(π/2 − φ) tan φ keeps its digits as φ → 0.
+/// It rises from 0 to 2, a limit that rounding of π/2 − φ hides; 2u coth u rises from 2, and passes 2u.
 double force_ended_damping(double loss) {
   if (loss == 0) return 0;
-  if (loss < 2) {
-    const double phi = bisect([](double p) { return (pi - 2 * p) * std::tan(p); }, loss, 0.0, pi / 2 * (1 - 1e-9));
-    return std::sin(phi);
-  }
-  return std::cosh(bisect([](double u) { return 2 * x_coth(u); }, loss, 0.0, 0.5 * loss));
+  if (loss < 2)
+    return std::sin(support::root([=](double phi) { return (pi - 2 * phi) * std::tan(phi) - loss; }, 0.0,
+                                  pi / 2 * (1 - 1e-9), -loss, 2 - loss));
+  return std::cosh(support::root([=](double u) { return 2 * x_coth(u) - loss; }, 0.0, 0.5 * loss));
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 #include <ricochet/collision/fractional_collocation.hpp>
-#include <ricochet/support/require.hpp>
 #include <ricochet/fractional/collocation.hpp>
-
-#include <boost/math/tools/toms748_solve.hpp>
+#include <ricochet/support/require.hpp>
+#include <ricochet/support/root.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +19,7 @@ std::optional<double> first_zero(const F& f, double from, double to) {
   for (int i = 1; i <= cells; ++i) {
     const double right = from + (to - from) * i / cells, f_right = f(right);
     if (f_right == 0) return right;
-    if ((f_left < 0) != (f_right < 0)) {
-      std::uintmax_t evaluations = 100;
-      const auto [low, high] = boost::math::tools::toms748_solve(
-          f, left, right, f_left, f_right, boost::math::tools::eps_tolerance<double>(52), evaluations);
-      return 0.5 * (low + high);
-    }
+    if ((f_left < 0) != (f_right < 0)) return support::root(f, left, right, f_left, f_right);
     left = right;
     f_left = f_right;
   }

@@ -1,30 +1,18 @@
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/support/require.hpp>
-
-#include <boost/math/tools/toms748_solve.hpp>
+#include <ricochet/support/root.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <tuple>
 
 namespace ricochet {
 
 namespace {
 
+using support::root;
+
 /// E_{a,b}(−z)
 double e(double a, double b, double z) { return mittag_leffler(a, b, -z); }
-
-template <class F>
-double root(const F& f, double low, double high) {
-  const double f_low = f(low), f_high = f(high);
-  if (f_low == 0) return low;
-  if (f_high == 0) return high;
-  std::uintmax_t evaluations = 200;
-  const auto [left, right] = boost::math::tools::toms748_solve(
-      f, low, high, f_low, f_high, boost::math::tools::eps_tolerance<double>(52), evaluations);
-  return 0.5 * (left + right);
-}
 
 /// First zero of E_{a,b}(−z) past `from`. The zeros of the three functions needed are more than 1 apart for 1 < a ≤ 2.
 double zero_after(double from, double a, double b) {
@@ -85,15 +73,12 @@ double conversion_degree(double en, ContactEnd end) {
     const double z = end == ContactEnd::force ? end_by_force(a) : end_by_overlap(a, zero_after(2, a, 1));
     return -e(a, 1, z) - en;
   };
-  double low = 0, high = end == ContactEnd::force ? 1 - 0x1p-50 : overlap_limit;
+  const double low = 0, high = end == ContactEnd::force ? 1 - 0x1p-50 : overlap_limit;
   const double at_low = excess(low), at_high = excess(high);
   if (at_low <= 0) return low;  // e_n is 1 to its last digit
   if (at_high >= 0) return high;
   // Down to neighbours: near the ends e_n takes every digit of α that there is.
-  const auto neighbours = [](double left, double right) { return std::nextafter(left, right) >= right; };
-  std::uintmax_t evaluations = 200;
-  std::tie(low, high) = boost::math::tools::toms748_solve(excess, low, high, at_low, at_high, neighbours, evaluations);
-  return low;
+  return support::root_bracket(excess, low, high, at_low, at_high, {.relative = 0}).first;
 }
 
 double tcol_estimate(double coefficient, double alpha) {

@@ -1,11 +1,11 @@
 #include "numerical_collision.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
+#include <ricochet/support/root.hpp>
+
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -65,12 +65,7 @@ class Steps {
   std::optional<double> fall(Value value, double limit) {
     const double left = value(before_), right = value(limit == taken_ ? after_ : at(limit));
     if (!(left > 0 && right <= 0)) return std::nullopt;
-    if (right == 0) return limit;
-    std::uintmax_t trials = 60;
-    const auto [low, high] =
-        boost::math::tools::toms748_solve([&](double length) { return value(at(length)); }, 0.0, limit, left, right,
-                                          boost::math::tools::eps_tolerance<double>(), trials);
-    return 0.5 * (low + high);
+    return support::root([&](double length) { return value(at(length)); }, 0.0, limit, left, right);
   }
 
   const State& before() const { return before_; }

@@ -1,11 +1,9 @@
 #include <ricochet/contact/friction.hpp>
 
 #include <ricochet/support/require.hpp>
-
-#include <boost/math/tools/toms748_solve.hpp>
+#include <ricochet/support/root.hpp>
 
 #include <algorithm>
-#include <cstdint>
 #include <optional>
 
 namespace ricochet {
@@ -52,12 +50,7 @@ std::optional<Speeds> resisted(Speeds start, double alpha, double beta) noexcept
   while (at_low < 0 && low > 1 / (far * far)) high = low, at_high = at_low, low /= 4, at_low = mismatch(low);
   while (at_high > 0 && high < far * far) low = high, at_low = at_high, high *= 4, at_high = mismatch(high);
   double lambda = at_low == 0 ? low : high;
-  if (at_low > 0 && at_high < 0) {
-    std::uintmax_t evaluations = 60;
-    const auto root = boost::math::tools::toms748_solve(mismatch, low, high, at_low, at_high,
-                                                        boost::math::tools::eps_tolerance<double>(50), evaluations);
-    lambda = 0.5 * (root.first + root.second);
-  }
+  if (at_low > 0 && at_high < 0) lambda = support::root(mismatch, low, high, at_low, at_high, {.relative = 0x1p-49});
   const DiscFriction f = ricochet::disc_friction(lambda);
   const Speeds end{X - alpha * f.force, Y - beta * f.torque};
   return end.x > 0 && end.y > 0 ? std::optional(end) : std::nullopt;

@@ -1,6 +1,7 @@
 #include "conversion_fit.hpp"
 
 #include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/support/root.hpp>
 
 #include <console/exit.hpp>
 
@@ -42,22 +43,12 @@ double objective(const std::vector<double>& x, std::vector<double>&, void* data)
   return curve.sum_of_squares({curve.first, x[0], x[1]});
 }
 
-/// α whose column loses `target`: the share rises with α; regula falsi (Illinois) in α.
+/// α whose column loses `target`, to seven digits: the share rises with α.
 double exact_alpha(const Curve& curve, std::size_t n, double target) {
-  double low = 1e-3, high = largest_alpha;
-  double at_low = curve.share_of(low, n) - target, at_high = curve.share_of(high, n) - target;
+  const auto excess = [&](double alpha) { return curve.share_of(alpha, n) - target; };
+  const double low = 1e-3, high = largest_alpha, at_low = excess(low), at_high = excess(high);
   if (at_low > 0 || at_high < 0) throw console::Failed("no conversion degree gives the event-driven share");
-  for (int i = 0; i < 60 && high - low > 1e-7; ++i) {
-    const double trial = (low * at_high - high * at_low) / (at_high - at_low);
-    const double at_trial = curve.share_of(trial, n) - target;
-    if (std::abs(at_trial) < 1e-8) return trial;
-    if (at_trial < 0) {
-      low = trial, at_low = at_trial, at_high *= 0.5;
-    } else {
-      high = trial, at_high = at_trial, at_low *= 0.5;
-    }
-  }
-  return 0.5 * (low + high);
+  return support::root(excess, low, high, at_low, at_high, {.relative = 1e-7});
 }
 
 ConversionLaw minimise(Curve& curve) {

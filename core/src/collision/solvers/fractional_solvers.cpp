@@ -1,6 +1,7 @@
 #include <ricochet/collision/fractional_collocation.hpp>
-#include <ricochet/support/require.hpp>
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
+#include <ricochet/support/require.hpp>
+#include <ricochet/support/root.hpp>
 
 #include "fractional_path.hpp"
 
@@ -36,14 +37,12 @@ double hermite(double a, double b, double fa, double fb, double sa, double sb, d
   return fa * w * w * (1 + 2 * u) + fb * u * u * (1 + 2 * w) + h * u * w * (sa * w - sb * u);
 }
 
-/// The force's zero in the last step, by bisection of its interpolant down to rounding.
+/// The force's zero in the last step, of its interpolant.
 double zero_of_force(const Path& path) {
-  double low = path.time[path.time.size() - 2], high = path.time.back();
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (interpolated(path.time, path.force, middle) > 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  const std::size_t b = path.time.size() - 1, a = b - 1;
+  if (path.force[a] <= 0) return path.time[a];  // a step longer than the contact
+  return support::root([&](double t) { return interpolated(path.time, path.force, t); }, path.time[a], path.time[b],
+                       path.force[a], path.force[b]);
 }
 
 struct End {
