@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace ricochet::calibration {
@@ -39,19 +38,19 @@ void check(const ExportCase& what) {
 
 struct ParametersInWords {
   std::string operator()(const Linear& l) const {
-    return "k = " + number(l.k()) + " N/m, c = " + number(l.c()) + " kg/s";
+    return "k = " + shortest(l.k()) + " N/m, c = " + shortest(l.c()) + " kg/s";
   }
   std::string operator()(const KuwabaraKono& l) const {
-    return "k = " + number(l.k()) + " N/m^(3/2), c = " + number(l.c()) + " kg/(s m^(1/2))";
+    return "k = " + shortest(l.k()) + " N/m^(3/2), c = " + shortest(l.c()) + " kg/(s m^(1/2))";
   }
   std::string operator()(const Tsuji& l) const {
-    return "k = " + number(l.k()) + " N/m^(3/2), c = " + number(l.c()) + " kg/(s m^(1/4))";
+    return "k = " + shortest(l.k()) + " N/m^(3/2), c = " + shortest(l.c()) + " kg/(s m^(1/4))";
   }
   std::string operator()(const Hysteretic& l) const {
-    return "k1 = " + number(l.k1()) + " N/m, k2 = " + number(l.k2()) + " N/m";
+    return "k1 = " + shortest(l.k1()) + " N/m, k2 = " + shortest(l.k2()) + " N/m";
   }
   std::string operator()(const Fractional& l) const {
-    return "k = " + number(l.k()) + " N/m, c = " + number(l.c()) + " kg/s, alpha = " + number(l.alpha());
+    return "k = " + shortest(l.k()) + " N/m, c = " + shortest(l.c()) + " kg/s, alpha = " + shortest(l.alpha());
   }
 };
 
@@ -60,7 +59,7 @@ std::string_view word(ContactEnd end) { return end == ContactEnd::force ? "force
 /// "0.55 (+10 %)": a value beside the one asked for.
 std::string beside(double value, double asked) {
   const double percent = 100 * (value / asked - 1);
-  return rounded(value) + " (" + (percent < 0 ? "" : "+") + rounded(percent, 2) + " %)";
+  return rounded(value) + " (" + (percent < 0 ? "" : "+") + support::significant(percent, 2) + " %)";
 }
 
 /// Breaks a sentence into comment lines of at most 100 columns.
@@ -82,9 +81,9 @@ std::string heading(const Language& in, const ExportCase& what) {
   append_comment(text, in.comment,
                  "Ricochet: " + std::string(name(what.law)) + " law, contact ended by " + std::string(word(what.end)) +
                      ", for " + std::string(in.version) + ", SI units");
-  std::string pair = "Target: collision time " + number(what.tcol) + " s, restitution " + number(what.en) + " at " +
-                     number(what.impact.velocity) + " m/s, effective mass " + number(what.impact.mass_eff) + " kg";
-  if (what.radius_eff) pair += ", effective radius " + number(*what.radius_eff) + " m";
+  std::string pair = "Target: collision time " + shortest(what.tcol) + " s, restitution " + shortest(what.en) + " at " +
+                     shortest(what.impact.velocity) + " m/s, effective mass " + shortest(what.impact.mass_eff) + " kg";
+  if (what.radius_eff) pair += ", effective radius " + shortest(*what.radius_eff) + " m";
   append_comment(text, in.comment, pair);
   append_comment(text, in.comment, "Law: " + std::visit(ParametersInWords{}, what.law));
   return text;
@@ -159,18 +158,6 @@ std::string combine(const std::vector<Snippet>& snippets) {
     }
   }
   return all;
-}
-
-std::string number(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return std::string(buffer, end);
-}
-
-std::string rounded(double value, int digits) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
-  return std::string(buffer, end);
 }
 
 Body absent(std::string why) { return {.remarks = {std::move(why)}}; }
