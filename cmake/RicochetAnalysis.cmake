@@ -16,7 +16,8 @@ endif()
 find_program(CPPCHECK cppcheck)
 if(CPPCHECK)
   add_custom_target(cppcheck COMMAND ${CPPCHECK} --std=c++20 --language=c++ --quiet --error-exitcode=1
-    -j 2 --enable=warning,performance,portability --inline-suppr --suppressions-list=${PROJECT_SOURCE_DIR}/cmake/cppcheck.txt
+    -j 2 --enable=warning,performance,portability --inline-suppr
+    --suppressions-list=${PROJECT_SOURCE_DIR}/cmake/cppcheck.txt
     -I core/include -I console/include -I verify/include -I ${PROJECT_BINARY_DIR}/core/include ${analysed}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} USES_TERMINAL VERBATIM)
 endif()

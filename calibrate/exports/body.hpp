@@ -1,6 +1,7 @@
 #pragma once
 
 #include <calibrate/export.hpp>
+#include <ricochet/support/text.hpp>
 
 #include <initializer_list>
 
@@ -21,11 +22,10 @@ Body write_yade(const ExportCase& what);
 Body write_mercurydpm(const ExportCase& what);
 Body write_mfix(const ExportCase& what);
 
-/// Shortest decimal text that reads back as the same double.
-std::string number(double value);
+using support::shortest;
 
 /// Six digits, for sentences.
-std::string rounded(double value, int digits = 6);  ///< like %g, whatever the locale
+inline std::string rounded(double value) { return support::significant(value, 6); }
 
 Body absent(std::string why);
 /// For a law that is scaled by the grain's radius, when none was given.

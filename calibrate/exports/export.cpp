@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace ricochet::calibration {
@@ -41,7 +40,7 @@ void check(const ExportCase& what) {
 std::string in_words(const AnyLaw& law) {
   std::string words;
   for (const NamedValue& p : parameters(law))
-    words += (words.empty() ? "" : ", ") + p.name + " = " + number(p.value) + (p.unit.empty() ? "" : " " + p.unit);
+    words += (words.empty() ? "" : ", ") + p.name + " = " + shortest(p.value) + (p.unit.empty() ? "" : " " + p.unit);
   return words;
 }
 
@@ -50,7 +49,7 @@ std::string_view word(ContactEnd end) { return end == ContactEnd::force ? "force
 /// "0.55 (+10 %)": a value beside the one asked for.
 std::string beside(double value, double asked) {
   const double percent = 100 * (value / asked - 1);
-  return rounded(value) + " (" + (percent < 0 ? "" : "+") + rounded(percent, 2) + " %)";
+  return rounded(value) + " (" + (percent < 0 ? "" : "+") + support::significant(percent, 2) + " %)";
 }
 
 /// Breaks a sentence into comment lines of at most 100 columns.
@@ -72,9 +71,9 @@ std::string heading(const Language& in, const ExportCase& what) {
   append_comment(text, in.comment,
                  "Ricochet: " + std::string(name(what.law)) + " law, contact ended by " + std::string(word(what.end)) +
                      ", for " + std::string(in.version) + ", SI units");
-  std::string pair = "Target: collision time " + number(what.tcol) + " s, restitution " + number(what.en) + " at " +
-                     number(what.impact.velocity) + " m/s, effective mass " + number(what.impact.mass_eff) + " kg";
-  if (what.radius_eff) pair += ", effective radius " + number(*what.radius_eff) + " m";
+  std::string pair = "Target: collision time " + shortest(what.tcol) + " s, restitution " + shortest(what.en) + " at " +
+                     shortest(what.impact.velocity) + " m/s, effective mass " + shortest(what.impact.mass_eff) + " kg";
+  if (what.radius_eff) pair += ", effective radius " + shortest(*what.radius_eff) + " m";
   append_comment(text, in.comment, pair);
   append_comment(text, in.comment, "Law: " + in_words(what.law));
   return text;
@@ -149,18 +148,6 @@ std::string combine(const std::vector<Snippet>& snippets) {
     }
   }
   return all;
-}
-
-std::string number(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return std::string(buffer, end);
-}
-
-std::string rounded(double value, int digits) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
-  return std::string(buffer, end);
 }
 
 Body absent(std::string why) { return {.remarks = {std::move(why)}}; }

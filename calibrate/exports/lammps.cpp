@@ -38,8 +38,8 @@ struct Lammps {
             .remarks = {setting(),
                         "damping velocity takes c in kg/s as it is, for every pair. The styles gran/hooke "
                         "and gran/hooke/history take it per effective mass instead: gamma_n = " +
-                            number(law.c() / what.impact.mass_eff) + " 1/s here."},
-            .lines = pair("hooke " + number(law.k()) + " " + number(law.c()), "velocity")};
+                            shortest(law.c() / what.impact.mass_eff) + " 1/s here."},
+            .lines = pair("hooke " + shortest(law.k()) + " " + shortest(law.c()), "velocity")};
   }
 
   Body operator()(const KuwabaraKono& law) const {
@@ -50,13 +50,13 @@ struct Lammps {
                         "hertz multiplies its stiffness by the contact radius sqrt(R overlap), damping "
                         "viscoelastic by that and the effective mass: k/sqrt(R), c/(m sqrt(R)).",
                         tied_to_pair()},
-            .lines = pair("hertz " + number(law.k() / root) + " " + number(law.c() / (what.impact.mass_eff * root)),
+            .lines = pair("hertz " + shortest(law.k() / root) + " " + shortest(law.c() / (what.impact.mass_eff * root)),
                           "viscoelastic")};
   }
 
   Body operator()(const Tsuji& law) const {
     if (!what.radius_eff) return needs_radius();
-    const std::string normal = "hertz " + number(law.k() / std::sqrt(*what.radius_eff)) + " ";
+    const std::string normal = "hertz " + shortest(law.k() / std::sqrt(*what.radius_eff)) + " ";
     if (law.c() == 0)
       return {.fidelity = Fidelity::exact, .remarks = {setting()}, .lines = pair(normal + "0", "velocity")};
     const double eta = law.c() / std::sqrt(what.impact.mass_eff * law.k());
@@ -72,9 +72,9 @@ struct Lammps {
                               " it would not give it. The number below is the argument at which the polynomial has "
                               "this law's value, not a restitution.",
                           keeps_restitution()},
-              .lines = pair(normal + number(*argument), "tsuji")};
+              .lines = pair(normal + shortest(*argument), "tsuji")};
     if (const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff)))
-      body.remarks.push_back("LAMMPS since 2024 has damping coeff_restitution; write that with " + number(*en) +
+      body.remarks.push_back("LAMMPS since 2024 has damping coeff_restitution; write that with " + shortest(*en) +
                              " in place of tsuji with its number.");
     return body;
   }

@@ -10,7 +10,7 @@ namespace {
 
 /// A material property of the pair of types 1, 1 under a fix of our own name.
 std::string property(const std::string& name, double value, const std::string& kind = "peratomtypepair 1") {
-  return "fix ricochet_" + name + " all property/global " + name + " " + kind + " " + number(value);
+  return "fix ricochet_" + name + " all property/global " + name + " " + kind + " " + shortest(value);
 }
 
 std::vector<std::string> with_style(std::vector<std::string> lines, const std::string& model) {
@@ -36,7 +36,7 @@ struct Liggghts {
         .remarks = {setting(),
                     "absolute_damping on takes c in kg/s as it is; without it LIGGGHTS wants gamman per "
                     "effective mass, " +
-                        number(law.c() / what.impact.mass_eff) +
+                        shortest(law.c() / what.impact.mass_eff) +
                         " 1/s here. limitForce on clips the attractive part of the force."},
         .lines = with_style(
             {property("kn", law.k()), property("kt", 0), property("gamman_abs", law.c()), property("gammat_abs", 0)},
@@ -61,7 +61,7 @@ struct Liggghts {
     const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff));
     if (!en || *en <= 0.05)
       return absent("NOT WRITTEN: LIGGGHTS refuses a coefficientRestitution of 0.05 or less, this law needs " +
-                    (en ? number(*en) : std::string("an overdamped one")) + ".");
+                    (en ? shortest(*en) : std::string("an overdamped one")) + ".");
     const double young = youngs_modulus(effective_modulus(law.k(), *what.radius_eff), poisson);
     std::vector<std::string> lines;
     if (young < 5e6) lines.push_back("soft_particles yes");
@@ -80,7 +80,7 @@ struct Liggghts {
           "LIGGGHTS derives the damping for a force that may attract, so with limitForce on it "
           "rebounds faster than asked; the coefficientRestitution below is the one whose damping "
           "gives " +
-          number(what.en) + ".");
+          shortest(what.en) + ".");
     return body;
   }
 
@@ -113,10 +113,10 @@ struct Liggghts {
                         "For the same collision time and restitution at every pair's own mass, give in place of the "
                         "three properties: fix ricochet_collisionTime all property/global collisionTime "
                         "peratomtypepair 1 " +
-                            number(what.tcol) +
+                            shortest(what.tcol) +
                             " and fix ricochet_coefficientRestitution all "
                             "property/global coefficientRestitution peratomtypepair 1 " +
-                            number(what.en)},
+                            shortest(what.en)},
             .lines = with_style({property("fractionalK", law.k()), property("fractionalC", law.c()),
                                  property("fractionalAlpha", law.alpha())},
                                 "fractional tangential off")};

@@ -18,7 +18,7 @@ struct MercuryDpm {
 
   std::vector<std::string> species(const std::string& of, const std::vector<std::string>& settings) const {
     std::vector<std::string> lines{"auto species = speciesHandler.copyAndAddObject(" + of + "());"};
-    if (what.density) lines.push_back("species->setDensity(" + number(*what.density) + ");");
+    if (what.density) lines.push_back("species->setDensity(" + shortest(*what.density) + ");");
     for (const std::string& s : settings) lines.push_back("species->" + s + ";");
     return lines;
   }
@@ -34,7 +34,7 @@ struct MercuryDpm {
         .remarks = {header(of),
                     "setDissipation takes c in kg/s of the pair as it is. setCollisionTimeAnd"
                     "RestitutionCoefficient(tc, e, mass) wants twice the effective mass."},
-        .lines = species(of, {"setStiffness(" + number(law.k()) + ")", "setDissipation(" + number(law.c()) + ")"})};
+        .lines = species(of, {"setStiffness(" + shortest(law.k()) + ")", "setDissipation(" + shortest(law.c()) + ")"})};
     end_otherwise(body, what, ContactEnd::overlap, attracts());
     return body;
   }
@@ -47,9 +47,9 @@ struct MercuryDpm {
                         "Dissipation is Brilliantov's A in seconds, c = (3/2) A k, and the modulus is E*, "
                         "k = (4/3) E* sqrt(R): other radii keep the same material. This species clips the "
                         "attractive part of its force."},
-            .lines =
-                species(of, {"setEffectiveElasticModulus(" + number(effective_modulus(law.k(), *what.radius_eff)) + ")",
-                             "setDissipation(" + number(2 * law.c() / (3 * law.k())) + ")"})};
+            .lines = species(
+                of, {"setEffectiveElasticModulus(" + shortest(effective_modulus(law.k(), *what.radius_eff)) + ")",
+                     "setDissipation(" + shortest(2 * law.c() / (3 * law.k())) + ")"})};
   }
 
   Body operator()(const Tsuji& law) const {
@@ -61,8 +61,8 @@ struct MercuryDpm {
                           "sqrt(m k).",
                           keeps_restitution()},
               .lines = species(
-                  of, {"setEffectiveElasticModulus(" + number(effective_modulus(law.k(), *what.radius_eff)) + ")",
-                       "setDissipation(" + number(law.c() / std::sqrt(what.impact.mass_eff * law.k())) + ")"})};
+                  of, {"setEffectiveElasticModulus(" + shortest(effective_modulus(law.k(), *what.radius_eff)) + ")",
+                       "setDissipation(" + shortest(law.c() / std::sqrt(what.impact.mass_eff * law.k())) + ")"})};
     end_otherwise(body, what, ContactEnd::overlap, attracts());
     return body;
   }
@@ -74,7 +74,7 @@ struct MercuryDpm {
                         "Without setDoConstantUnloadingStiffness(true) the unloading stiffness grows with "
                         "the overlap. The last plastic parameter, a depth of 1 in units of the effective "
                         "diameter, keeps the limit out of reach."},
-            .lines = species(of, {"setPlasticParameters(" + number(law.k1()) + ", " + number(law.k2()) + ", 0, 1)",
+            .lines = species(of, {"setPlasticParameters(" + shortest(law.k1()) + ", " + shortest(law.k2()) + ", 0, 1)",
                                   "setDoConstantUnloadingStiffness(true)", "setDissipation(0)"})};
   }
 

@@ -28,8 +28,8 @@ struct Mfix {
               .remarks = {setting(),
                           "LSD takes the stiffness and a restitution e, from which it computes c = 2 sqrt(m k) "
                           "|ln e|/sqrt(pi^2 + ln^2 e): exact for a contact ended by overlap, at every mass."},
-              .lines = {"DES_COLL_MODEL = 'LSD'", "KN = " + number(law.k()), "KN_W = " + number(law.k()),
-                        "DES_EN_INPUT(1) = " + number(*en), "DES_EN_WALL_INPUT(1) = " + number(*en), "MEW = 0.0",
+              .lines = {"DES_COLL_MODEL = 'LSD'", "KN = " + shortest(law.k()), "KN_W = " + shortest(law.k()),
+                        "DES_EN_INPUT(1) = " + shortest(*en), "DES_EN_WALL_INPUT(1) = " + shortest(*en), "MEW = 0.0",
                         "MEW_W = 0.0"}};
     end_otherwise(body, what, ContactEnd::overlap, attracts());
     return body;
@@ -43,8 +43,8 @@ struct Mfix {
     if (!what.radius_eff) return needs_radius();
     const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff));
     if (!en) return overdamped();
-    const std::string young = number(youngs_modulus(effective_modulus(law.k(), *what.radius_eff), poisson));
-    const std::string nu = number(poisson);
+    const std::string young = shortest(youngs_modulus(effective_modulus(law.k(), *what.radius_eff), poisson));
+    const std::string nu = shortest(poisson);
     Body body{
         .fidelity = Fidelity::exact,
         .remarks = {setting(),
@@ -55,7 +55,7 @@ struct Mfix {
                         " with these numbers.",
                     keeps_restitution()},
         .lines = {"DES_COLL_MODEL = 'HERTZIAN'", "E_YOUNG(1) = " + young, "EW_YOUNG = " + young, "V_POISSON(1) = " + nu,
-                  "VW_POISSON = " + nu, "DES_EN_INPUT(1) = " + number(*en), "DES_EN_WALL_INPUT(1) = " + number(*en),
+                  "VW_POISSON = " + nu, "DES_EN_INPUT(1) = " + shortest(*en), "DES_EN_WALL_INPUT(1) = " + shortest(*en),
                   "DES_ET_INPUT(1) = 1.0", "DES_ET_WALL_INPUT(1) = 1.0", "MEW = 0.0", "MEW_W = 0.0"}};
     end_otherwise(body, what, ContactEnd::overlap, attracts());
     return body;

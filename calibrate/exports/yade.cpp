@@ -23,18 +23,18 @@ struct Yade {
   }
 
   std::string material(const std::string& of, const std::string& arguments) const {
-    const std::string density = what.density ? "density=" + number(*what.density) + ", " : "";
+    const std::string density = what.density ? "density=" + shortest(*what.density) + ", " : "";
     return "material = " + of + "(" + density + arguments + ", frictionAngle=0)";
   }
 
   Body operator()(const Linear& law) const {
-    Body body{
-        .fidelity = Fidelity::exact,
-        .remarks = {setting(),
-                    "Yade joins the two grains' springs and dashpots in series, so the material "
-                    "carries twice the pair's k and c."},
-        .lines = {material("ViscElMat", "kn=" + number(2 * law.k()) + ", cn=" + number(2 * law.c()) + ", ks=0, cs=0"),
-                  "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()", "law2 = Law2_ScGeom_ViscElPhys_Basic()"}};
+    Body body{.fidelity = Fidelity::exact,
+              .remarks = {setting(),
+                          "Yade joins the two grains' springs and dashpots in series, so the material "
+                          "carries twice the pair's k and c."},
+              .lines = {material("ViscElMat",
+                                 "kn=" + shortest(2 * law.k()) + ", cn=" + shortest(2 * law.c()) + ", ks=0, cs=0"),
+                        "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()", "law2 = Law2_ScGeom_ViscElPhys_Basic()"}};
     end_otherwise(body, what, ContactEnd::force, clips());
     return body;
   }
@@ -55,8 +55,8 @@ struct Yade {
                           "exact at every mass; en= would go through a polynomial, and in Yade of 2019 "
                           "through a formula for another end of contact.",
                           keeps_restitution()},
-              .lines = {material("FrictMat", "young=" + number(young) + ", poisson=" + number(poisson)),
-                        "ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(betan=" + number(betan) + ", betas=0)",
+              .lines = {material("FrictMat", "young=" + shortest(young) + ", poisson=" + shortest(poisson)),
+                        "ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(betan=" + shortest(betan) + ", betas=0)",
                         "law2 = Law2_ScGeom_MindlinPhys_Mindlin()"}};
     end_otherwise(body, what, ContactEnd::force, clips());
     return body;
@@ -74,8 +74,8 @@ struct Yade {
                         "to the greatest overlap of the target's impact: its collision time and restitution are met "
                         "there alone. At half the velocity the restitution is " +
                             rounded(std::sqrt(half)) + " (constant k2: " + rounded(what.en) + ")."},
-            .lines = {material("LudingMat", "k1=" + number(law.k1()) + ", kp=" + number(law.k2()) +
-                                                ", kc=0, ks=0, G0=0, PhiF=" + number(depth)),
+            .lines = {material("LudingMat", "k1=" + shortest(law.k1()) + ", kp=" + shortest(law.k2()) +
+                                                ", kc=0, ks=0, G0=0, PhiF=" + shortest(depth)),
                       "ip2 = Ip2_LudingMat_LudingMat_LudingPhys()", "law2 = Law2_ScGeom_LudingPhys_Basic()"}};
   }
 

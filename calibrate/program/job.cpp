@@ -1,5 +1,6 @@
 #include "job.hpp"
 
+#include <console/csv.hpp>
 #include <console/exit.hpp>
 #include <console/number.hpp>
 
@@ -120,21 +121,14 @@ std::string law_names() {
 
 LawKind law_named(std::string_view flag, std::string_view name) {
   const auto law = LawKind::named(name);
-  if (!law) throw BadInput(flag, shown(name), law_names());
+  if (!law) throw BadInput(flag, console::excerpt(name), law_names());
   return *law;
 }
 
 ContactEnd end_named(std::string_view flag, std::string_view name) {
   if (name == text(ContactEnd::force)) return ContactEnd::force;
   if (name == text(ContactEnd::overlap)) return ContactEnd::overlap;
-  throw BadInput(flag, shown(name), "overlap or force");
-}
-
-std::string shown(std::string_view text) {
-  std::string line(text.substr(0, 60));
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return line.empty() ? "nothing" : line;
+  throw BadInput(flag, console::excerpt(name), "overlap or force");
 }
 
 void take_only(const Options& options, std::string_view mode, std::initializer_list<std::string_view> accepted) {

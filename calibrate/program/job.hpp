@@ -68,7 +68,5 @@ std::string law_names();
 /// The law of that name; throws console::BadInput with `flag`.
 LawKind law_named(std::string_view flag, std::string_view name);
 ContactEnd end_named(std::string_view flag, std::string_view name);
-/// A piece of somebody's file, fit for a message of one line.
-std::string shown(std::string_view text);
 
 }  // namespace ricochet::calibration

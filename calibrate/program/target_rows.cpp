@@ -6,20 +6,12 @@
 #include <console/number.hpp>
 
 #include <algorithm>
-#include <charconv>
 
 namespace ricochet::calibration {
 namespace {
 
 using console::BadInput;
-
-constexpr std::size_t most_columns = 32;
-
-void append(std::string& out, double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  out.append(digits.data(), end);
-}
+using support::append_shortest;
 
 /// As RFC 4180 quotes it, where it needs to be.
 void append_text(std::string& out, std::string_view text) {
@@ -37,39 +29,10 @@ void append_text(std::string& out, std::string_view text) {
 
 }  // namespace
 
-std::string take_header(console::LineBlocks& source, console::LineBlocks::Block& block, const std::string& file,
-                        std::size_t& line_number) {
-  while (source.next(block)) {
-    std::string_view text = block.text;
-    if (block.first_line == 1 && text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    for (line_number = block.first_line; !text.empty(); ++line_number) {
-      std::string line(console::take_line(text));
-      if (console::is_csv_remark(line)) continue;
-      block.text = std::string(text);
-      block.first_line = line_number + 1;
-      return line;
-    }
-  }
-  throw BadInput(file + ":1: header missing: must be a row of the columns tcol and en, and others");
-}
-
-TargetRows::TargetRows(std::string file, std::size_t line, std::string_view header, const TargetDefaults& defaults,
+TargetRows::TargetRows(std::string file, const console::CsvHead& head, const TargetDefaults& defaults,
                        const DirectCalibrator& calibrator)
-    : file_(std::move(file)), defaults_(defaults), calibrator_(calibrator) {
-  std::array<std::string_view, most_columns> names_read;
-  const std::string where = file_ + ":" + std::to_string(line) + ": ";
-  const auto found = console::split_csv(header, names_read);
-  if (!found) throw BadInput(where + "header = " + shown(header) + ": must be a row of CSV");
-  for (std::size_t i = 0; i < *found; ++i) {
-    const Field field = field_of(line, names_read[i]);
-    if (std::find(columns_.begin(), columns_.end(), field) != columns_.end())
-      throw BadInput(where + "column = " + std::string(names[field]) + ": must be given once");
-    columns_.push_back(field);
-  }
-  for (const Field needed : {tcol, en})
-    if (std::find(columns_.begin(), columns_.end(), needed) == columns_.end())
-      throw BadInput(where + "column " + std::string(names[needed]) + ": missing: must be given");
-  const bool any_law = std::find(columns_.begin(), columns_.end(), law) != columns_.end();
+    : file_(std::move(file)), defaults_(defaults), columns_(file_, head, accepted), calibrator_(calibrator) {
+  const bool any_law = columns_.has(law);
   for (const LawKind l : LawKind::all()) {
     if (!any_law && l != defaults_.law) continue;
     std::size_t i = 0;
@@ -82,33 +45,18 @@ TargetRows::TargetRows(std::string file, std::size_t line, std::string_view head
   }
 }
 
-TargetRows::Field TargetRows::field_of(std::size_t line, std::string_view column) const {
-  for (std::size_t i = 0; i < count; ++i)
-    if (column == names[i] || column == std::string(names[i]) + std::string(units[i])) return static_cast<Field>(i);
-  throw BadInput(file_ + ":" + std::to_string(line) + ": column = " + shown(column) +
-                 ": must be one of tcol [s], en, velocity [m/s], mass_eff [kg], law, end, stiffness [kg/s^2]");
-}
-
 std::string TargetRows::header() const {
   std::string line = "tcol [s],en,velocity [m/s],mass_eff [kg],law,end,status";
   for (const auto& name : parameters_) line += "," + name;
   return line + "\n";
 }
 
-void TargetRows::split(std::string_view line, Row& row) const {
-  std::array<std::string_view, most_columns> fields;
-  const auto found = console::split_csv(line, fields);
-  if (!found) throw BadInput("row = " + shown(line) + ": must be a row of CSV");
-  if (*found != columns_.size())
-    throw BadInput("fields", std::to_string(*found), std::to_string(columns_.size()) + ", one a column");
-  for (std::size_t i = 0; i < *found; ++i) row.text[columns_[i]] = fields[i];
-}
-
 double TargetRows::number(Row& row, Field field, std::optional<double> otherwise) const {
   if (row.text[field].empty() && otherwise) return *(row.number[field] = otherwise);
-  row.number[field] = console::parse_number(row.text[field]);
+  row.number[field] = columns_.number(field, row.text[field]);
   if (!row.number[field])
-    throw BadInput(names[field], shown(row.text[field]), field == en ? "in (0, 1]" : "a number in [1e-30, 1e30]");
+    throw BadInput(accepted[field].name, console::excerpt(row.text[field]),
+                   field == en ? "in (0, 1]" : "a number in [1e-30, 1e30]");
   return *row.number[field];
 }
 
@@ -127,7 +75,7 @@ void TargetRows::read(Row& row) const {
 
 void TargetRows::write(std::string& out, const Row& row, std::string_view status, const AnyLaw* found) const {
   for (const Field field : {tcol, en, velocity, mass_eff}) {
-    if (row.number[field]) append(out, *row.number[field]);
+    if (row.number[field]) append_shortest(out, *row.number[field]);
     out += ',';
   }
   append_text(out, found ? row.request.law.name() : row.text[law]);
@@ -152,7 +100,7 @@ void TargetRows::write(std::string& out, const Row& row, std::string_view status
   for (std::size_t column = 0; column < parameters_.size(); ++column) {
     out += ',';
     for (std::size_t i = 0; i < known; ++i)
-      if (places[i] == column) append(out, values[i]);
+      if (places[i] == column) append_shortest(out, values[i]);
   }
   out += '\n';
 }
@@ -168,7 +116,7 @@ Answers TargetRows::answer(const console::LineBlocks::Block& block) const {
     std::string failure;
     ++answers.rows;
     try {
-      split(line, row);
+      columns_.split(line, row.text);
       read(row);
       const auto answer = calibrator_(row.request);
       if (const auto* found = std::get_if<AnyLaw>(&answer)) {

@@ -23,18 +23,13 @@ struct Answers {
   std::exception_ptr broken = nullptr;
 };
 
-/// Takes the lines up to and including the header from the first block that has one; `line` is its number. Throws
-/// console::BadInput where the file has none.
-std::string take_header(console::LineBlocks& source, console::LineBlocks::Block& block, const std::string& file,
-                        std::size_t& line);
-
 /// The rows of one file of targets: reads them by its header, calibrates, writes them. Shared by threads.
 class TargetRows {
  public:
   static constexpr std::size_t most_complaints = 1000;
 
   /// Throws console::BadInput naming file, line, the column and the accepted ones. `calibrator` must outlive the rows.
-  TargetRows(std::string file, std::size_t line, std::string_view header, const TargetDefaults& defaults,
+  TargetRows(std::string file, const console::CsvHead& head, const TargetDefaults& defaults,
              const DirectCalibrator& calibrator);
 
   std::string header() const;
@@ -42,9 +37,13 @@ class TargetRows {
 
  private:
   enum Field : std::size_t { tcol, en, velocity, mass_eff, law, end, stiffness, count };
-  static constexpr std::array<std::string_view, count> names{"tcol", "en",  "velocity", "mass_eff",
-                                                             "law",  "end", "stiffness"};
-  static constexpr std::array<std::string_view, count> units{" [s]", "", " [m/s]", " [kg]", "", "", " [kg/s^2]"};
+  static constexpr std::array<console::CsvColumn, count> accepted{console::CsvColumn{"tcol", "s", true},
+                                                                  {"en", "", true},
+                                                                  {"velocity", "m/s"},
+                                                                  {"mass_eff", "kg"},
+                                                                  {"law"},
+                                                                  {"end"},
+                                                                  {"stiffness", "kg/s^2"}};
   /// What a row says, as far as it could be read.
   struct Row {
     std::array<std::string_view, count> text{};
@@ -52,15 +51,13 @@ class TargetRows {
     Request request;
   };
 
-  Field field_of(std::size_t line, std::string_view column) const;
-  void split(std::string_view line, Row& row) const;
   void read(Row& row) const;
   double number(Row& row, Field field, std::optional<double> otherwise) const;
   void write(std::string& out, const Row& row, std::string_view status, const AnyLaw* law) const;
 
   std::string file_;
   TargetDefaults defaults_;
-  std::vector<Field> columns_;                                                      // of the file
+  console::CsvColumns columns_;
   std::vector<std::string> parameters_;                                             // columns of the answer
   std::array<std::array<std::size_t, Laws::most_parameters>, Laws::size> place_{};  // of a law's parameters among them
   const DirectCalibrator& calibrator_;

@@ -79,10 +79,11 @@ console::Exit run_targets(const Options& options) {
   const unsigned threads = options.threads ? *options.threads : std::max(1u, std::thread::hardware_concurrency());
   LineBlocks source(options.targets);
   std::vector<LineBlocks::Block> blocks(1);
-  std::size_t line = 1;
-  const std::string header = take_header(source, blocks[0], options.targets, line);
+  const auto head = console::take_csv_head(source, blocks[0]);
+  if (!head)
+    throw BadInput(options.targets + ":1: header missing: must be a row of the columns tcol and en, and others");
   const DirectCalibrator calibrator;
-  const TargetRows rows(options.targets, line, header, defaults, calibrator);
+  const TargetRows rows(options.targets, *head, defaults, calibrator);
   console::Output output(options.output.file);
   output.write(rows.header());
   console::Progress progress("calibrate", source.size());

@@ -1,49 +1,112 @@
 #include <console/csv.hpp>
 #include <console/exit.hpp>
+#include <console/number.hpp>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <system_error>
+#include <array>
+#include <cctype>
+#include <cmath>
 #include <utility>
 
 namespace ricochet::console {
 
 namespace {
 
-constexpr std::string_view blanks = " \t";
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-std::string_view trimmed(std::string_view text) {
+/// Around a field; a tab that separates fields is none of them.
+std::string_view blanks(char separator) { return separator == '\t' ? " " : " \t"; }
+
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
   const auto first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-std::string reason() { return std::generic_category().message(errno); }
-
-}  // namespace
-
-std::optional<std::size_t> split_csv(std::string_view line, std::span<std::string_view> fields) {
-  for (std::size_t count = 0; count < fields.size(); ++count) {
-    const auto start = line.find_first_not_of(blanks);
-    const bool quoted = start != std::string_view::npos && line[start] == '"';
-    const auto close = quoted ? line.find('"', start + 1) : 0;
-    if (close == std::string_view::npos) return std::nullopt;
-    const auto comma = line.find(',', close);
-    const auto raw = trimmed(line.substr(0, comma));
-    if (quoted && raw.back() != '"') return std::nullopt;
-    fields[count] = quoted ? raw.substr(1, raw.size() - 2) : raw;
-    if (comma == std::string_view::npos) return count + 1;
-    line.remove_prefix(comma + 1);
+/// A semicolon in the head outside quotes separates; else a comma; else a tab.
+char separator_of(std::string_view head) {
+  bool quoted = false, comma = false, tab = false;
+  for (const char c : head) {
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == ';') return ';';
+    comma = comma || c == ',';
+    tab = tab || c == '\t';
   }
+  return tab && !comma ? '\t' : ',';
+}
+
+/// A decimal multiple of an SI unit.
+struct Multiple {
+  std::string_view unit, si;
+  int exponent;
+};
+constexpr std::array multiples{
+    Multiple{"cm/s", "m/s", -2},  Multiple{"mm/s", "m/s", -3},   Multiple{"ms", "s", -3},
+    Multiple{"us", "s", -6},      Multiple{"µs", "s", -6},       Multiple{"μs", "s", -6},
+    Multiple{"ns", "s", -9},      Multiple{"cm", "m", -2},       Multiple{"mm", "m", -3},
+    Multiple{"um", "m", -6},      Multiple{"µm", "m", -6},       Multiple{"μm", "m", -6},
+    Multiple{"g", "kg", -3},      Multiple{"mg", "kg", -6},      Multiple{"g/cm^3", "kg/m^3", 3},
+    Multiple{"N/m", "kg/s^2", 0}, Multiple{"kN/m", "kg/s^2", 3}, Multiple{"N/mm", "kg/s^2", 3}};
+
+/// The power of ten from `unit` to `si`.
+std::optional<int> exponent_between(std::string_view unit, std::string_view si) {
+  if (unit.empty() || unit == si || (si.empty() && (unit == "-" || unit == "1"))) return 0;
+  for (const Multiple& m : multiples)
+    if (m.unit == unit && m.si == si) return m.exponent;
   return std::nullopt;
 }
 
+std::string units_of(std::string_view si) {
+  std::string list(si);
+  for (const Multiple& m : multiples)
+    if (m.si == si) list += fmt::format(", {}", m.unit);
+  return list;
+}
+
+std::string spelled(const CsvColumn& column) {
+  return column.unit.empty() ? std::string(column.name) : fmt::format("{} [{}]", column.name, column.unit);
+}
+
+std::string list_of(std::span<const CsvColumn> columns) {
+  std::string list;
+  for (const CsvColumn& column : columns) list += (list.empty() ? "" : ", ") + spelled(column);
+  return list;
+}
+
+struct Heading {
+  std::string_view name, unit;
+};
+
+/// "v [mm/s]" and "v (mm/s)" into name and unit.
+Heading parts_of(std::string_view heading) {
+  for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')})
+    if (const auto at = heading.rfind(open); heading.ends_with(close) && at != std::string_view::npos)
+      return {trimmed(heading.substr(0, at), " \t"), trimmed(heading.substr(at + 1, heading.size() - at - 2), " \t")};
+  return {heading, {}};
+}
+
+bool same_name(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// The decimal number of the text times a power of ten, rounded once: the exponent is changed before it is read.
+std::optional<double> scaled(std::string number, int exponent) {
+  const auto mark = number.find_first_of("eE");
+  if (exponent == 0) return parse_number(number);
+  if (mark == std::string::npos) return parse_number(fmt::format("{}e{}", number, exponent));
+  const auto own = parse_number(number.substr(mark + 1));
+  if (!own || !(std::abs(*own) < 1e4) || number.find('.', mark) != std::string::npos) return std::nullopt;
+  return parse_number(fmt::format("{}e{}", number.substr(0, mark), static_cast<int>(*own) + exponent));
+}
+
+}  // namespace
+
 bool is_csv_remark(std::string_view line) {
-  const auto first = line.find_first_not_of(blanks);
+  const auto first = line.find_first_not_of(" \t");
   return first == std::string_view::npos || line[first] == '#';
 }
 
@@ -55,53 +118,138 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-LineBlocks::LineBlocks(std::string path, std::size_t block_size)
-    : path_(std::move(path)),
-      block_size_(block_size),
-      file_(path_ == "-" ? ::dup(STDIN_FILENO) : ::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
-  if (file_ < 0) throw BadInput(path_ + ": cannot be read: " + reason());
-  struct stat about {};
-  if (::fstat(file_, &about) == 0 && S_ISDIR(about.st_mode)) {
-    ::close(file_);
-    throw BadInput(path_ + ": cannot be read: is a directory");
-  }
-  if (S_ISREG(about.st_mode)) size_ = static_cast<std::size_t>(about.st_size);
+std::string excerpt(std::string_view text) {
+  std::string line(text.substr(0, 60));
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return line.empty() ? "nothing" : line;
 }
 
-LineBlocks::~LineBlocks() { ::close(file_); }
-
-/// Appends up to `wanted` bytes; fewer only at the end of the file.
-std::size_t LineBlocks::fill(std::string& text, std::size_t wanted) {
-  const std::size_t before = text.size();
-  text.resize(before + wanted);
-  std::size_t got = 0;
-  while (got < wanted) {
-    const auto n = ::read(file_, text.data() + before + got, wanted - got);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) throw Failed(path_ + ": cannot be read: " + reason());
-    if (n == 0) break;
-    got += static_cast<std::size_t>(n);
-  }
-  text.resize(before + got);
-  return got;
-}
-
-bool LineBlocks::next(Block& block) {
-  block.text = std::exchange(rest_, {});
-  block.first_line = next_line_;
-  while (fill(block.text, block_size_) == block_size_) {
-    const auto end = block.text.rfind('\n');
-    if (end != std::string::npos) {
-      rest_ = block.text.substr(end + 1);
-      block.text.resize(end + 1);
-      break;
+std::optional<CsvHead> take_csv_head(LineBlocks& source, LineBlocks::Block& block) {
+  while (source.next(block)) {
+    std::string_view text = block.text;
+    if (block.first_line == 1 && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    for (std::size_t number = block.first_line; !text.empty(); ++number) {
+      const auto line = take_line(text);
+      if (is_csv_remark(line)) continue;
+      CsvHead head{std::string(line), number};
+      block.text = std::string(text);
+      block.first_line = number + 1;
+      return head;
     }
-    if (block.text.size() > longest_line)
-      throw BadInput(path_ + ":" + std::to_string(next_line_) + ": line of more than " + std::to_string(longest_line) +
-                     " bytes: must be a row of a CSV file");
   }
-  next_line_ += static_cast<std::size_t>(std::count(block.text.begin(), block.text.end(), '\n'));
-  return !block.text.empty();
+  return std::nullopt;
 }
+
+CsvColumns::CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted)
+    : accepted_(accepted), separator_(separator_of(head.text)), exponents_(accepted.size()) {
+  try {
+    std::array<std::string_view, most> headings;
+    const auto count = fields_of(head.text, headings);
+    if (!count) throw BadInput(fmt::format("header = {}: must be a row of CSV", excerpt(head.text)));
+    for (std::size_t i = 0; i < *count; ++i) order_.push_back(take(headings[i]));
+    for (std::size_t i = 0; i < accepted.size(); ++i)
+      if (accepted[i].needed && !has(i))
+        throw BadInput(fmt::format("column {}: missing: must be given", accepted[i].name));
+  } catch (const BadInput& error) {
+    throw BadInput(fmt::format("{}:{}: {}", file, head.line, error.what()));
+  }
+}
+
+/// The accepted column that a heading names, and its unit noted.
+std::size_t CsvColumns::take(std::string_view heading) {
+  const Heading given = parts_of(heading);
+  const auto known = std::find_if(accepted_.begin(), accepted_.end(), [&](const CsvColumn& c) {
+    return same_name(given.name, c.name) && !(c.unit.empty() && !exponent_between(given.unit, ""));
+  });
+  if (known == accepted_.end())
+    throw BadInput(fmt::format("column = {}: must be one of {}", excerpt(heading), list_of(accepted_)));
+  const auto exponent = exponent_between(given.unit, known->unit);
+  if (!exponent) throw BadInput(fmt::format("column = {}: must be in {}", excerpt(heading), units_of(known->unit)));
+  const auto column = static_cast<std::size_t>(known - accepted_.begin());
+  if (has(column)) throw BadInput(fmt::format("column = {}: must be given once", known->name));
+  exponents_[column] = exponent;
+  return column;
+}
+
+/// How many fields the line has; nothing where a quote is not closed or there are more than `fields` holds.
+std::optional<std::size_t> CsvColumns::fields_of(std::string_view line, std::span<std::string_view> fields) const {
+  const std::string_view around = blanks(separator_);
+  for (std::size_t count = 0; count < fields.size(); ++count) {
+    const auto start = line.find_first_not_of(around);
+    const bool quoted = start != std::string_view::npos && line[start] == '"';
+    const auto close = quoted ? line.find('"', start + 1) : 0;
+    if (close == std::string_view::npos) return std::nullopt;
+    const auto end = line.find(separator_, close);
+    const auto raw = trimmed(line.substr(0, end), around);
+    if (quoted && raw.back() != '"') return std::nullopt;
+    fields[count] = quoted ? raw.substr(1, raw.size() - 2) : raw;
+    if (end == std::string_view::npos) return count + 1;
+    line.remove_prefix(end + 1);
+  }
+  return std::nullopt;
+}
+
+void CsvColumns::split(std::string_view line, std::span<std::string_view> fields) const {
+  std::array<std::string_view, most> row;
+  const auto count = fields_of(line, row);
+  if (!count) throw BadInput(fmt::format("row = {}: must be a row of CSV", excerpt(line)));
+  if (*count != order_.size())
+    throw BadInput(fmt::format("fields = {}: must be {}, one a column", *count, order_.size()));
+  for (std::size_t i = 0; i < *count; ++i) fields[order_[i]] = row[i];
+}
+
+std::optional<double> CsvColumns::number(std::size_t column, std::string_view field) const {
+  const int exponent = exponents_[column].value_or(0);
+  const auto comma = separator_ == ',' ? std::string_view::npos : field.find(',');
+  if (exponent == 0 && comma == std::string_view::npos) return parse_number(field);
+  std::string number(field);
+  if (comma != std::string_view::npos) {
+    if (number.find('.') != std::string::npos) return std::nullopt;
+    number[comma] = '.';
+  }
+  return scaled(number, exponent);
+}
+
+CsvReader::CsvReader(std::string path, std::span<const CsvColumn> accepted)
+    : path_(std::move(path)), accepted_(accepted), source_(path_), fields_(accepted.size()) {
+  const auto head = take_csv_head(source_, block_);
+  if (!head) return;
+  columns_.emplace(path_, *head, accepted_);
+  line_ = head->line;
+  rest_ = block_.text;
+}
+
+bool CsvReader::next() {
+  while (columns_) {
+    if (rest_.empty()) {
+      if (!source_.next(block_)) break;
+      rest_ = block_.text;
+    }
+    ++line_;
+    const auto line = take_line(rest_);
+    if (is_csv_remark(line)) continue;
+    try {
+      columns_->split(line, fields_);
+    } catch (const BadInput& error) {
+      fail(error.what());
+    }
+    return true;
+  }
+  line_ += columns_ ? 1 : 0;
+  return false;
+}
+
+double CsvReader::number(std::size_t column, std::string_view accepted) const {
+  const auto value = columns_->number(column, fields_[column]);
+  if (!value) reject(column, accepted);
+  return *value;
+}
+
+void CsvReader::reject(std::size_t column, std::string_view accepted) const {
+  fail(fmt::format("{} = {}: must be {}", accepted_[column].name, excerpt(fields_[column]), accepted));
+}
+
+void CsvReader::fail(const std::string& what) const { throw BadInput(fmt::format("{}:{}: {}", path_, line_, what)); }
 
 }  // namespace ricochet::console

@@ -45,13 +45,15 @@ async function check_links(page) {
 
 async function check_pictures(page) {
   await page.evaluate(() => Promise.all([...document.images].map(image => image.decode().catch(() => {}))));
-  const missing = await page.$$eval('img', images => images.filter(i => !i.complete || i.naturalWidth === 0 || !i.alt).map(i => i.alt || i.src.slice(0, 80)));
+  const missing = await page.$$eval('img', images => images
+    .filter(i => !i.complete || i.naturalWidth === 0 || !i.alt).map(i => i.alt || i.src.slice(0, 80)));
   for (const alt of missing) report('picture missing or without alternative text', alt);
 }
 
 /// Everything that can be focused comes in the order of the page, and the focus never gets stuck.
 async function check_keyboard(page) {
-  const stops = Math.min(60, await page.$$eval('a[href],button:not([hidden]),summary,[tabindex="0"]', all => all.filter(e => e.checkVisibility()).length));
+  const focusable = 'a[href],button:not([hidden]),summary,[tabindex="0"]';
+  const stops = Math.min(60, await page.$$eval(focusable, all => all.filter(e => e.checkVisibility()).length));
   let last = -1;
   for (let i = 0; i < stops; ++i) {
     await page.keyboard.press('Tab');
@@ -66,7 +68,8 @@ async function check_copying(page) {
   if (!await button.count()) return;
   await button.click();
   const copied = await page.evaluate(() => navigator.clipboard.readText());
-  const wanted = await page.evaluate(() => document.getElementById(document.querySelector('button[data-copy]').dataset.copy).textContent);
+  const wanted = await page.evaluate(
+    () => document.getElementById(document.querySelector('button[data-copy]').dataset.copy).textContent);
   if (copied !== wanted) report('copy button', 'the clipboard does not hold the text');
 }
 
@@ -74,7 +77,8 @@ async function check_axe(page, scheme) {
   await page.evaluate(() => { for (const d of document.querySelectorAll('details')) d.open = true; });
   const {violations} = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations']}));
   for (const v of violations)
-    report(`axe-core, ${scheme}`, `${v.id}: ${v.help}: ${v.nodes.length} times, first ${v.nodes[0].target.join(' ')} (${v.nodes[0].failureSummary?.split('\n')[1]?.trim()})`);
+    report(`axe-core, ${scheme}`, `${v.id}: ${v.help}: ${v.nodes.length} times, ` +
+      `first ${v.nodes[0].target.join(' ')} (${v.nodes[0].failureSummary?.split('\n')[1]?.trim()})`);
   return violations.length;
 }
 
@@ -82,10 +86,13 @@ const profile = mkdtempSync(join(tmpdir(), 'ricochet-browser-'));
 let pages = 0;
 try {
   for (const scheme of ['light', 'dark']) {
-    const context = await chromium.launchPersistentContext(join(profile, scheme), {executablePath: browser_path, headless: true,
-      args: quiet, colorScheme: scheme, viewport: {width: 1440, height: 900}, permissions: ['clipboard-read', 'clipboard-write']});
+    const context = await chromium.launchPersistentContext(join(profile, scheme), {
+      executablePath: browser_path, headless: true, args: quiet, colorScheme: scheme,
+      viewport: {width: 1440, height: 900}, permissions: ['clipboard-read', 'clipboard-write']});
     const page = await context.newPage();
-    page.on('console', message => { if (['error', 'warning'].includes(message.type())) report('console', message.text()); });
+    page.on('console', message => {
+      if (['error', 'warning'].includes(message.type())) report('console', message.text());
+    });
     page.on('pageerror', error => report('script', error.message));
     page.on('request', request => { if (!/^(file|data|blob):/.test(request.url())) report('request', request.url()); });
     page.on('requestfailed', request => report('request failed', request.url().slice(0, 100)));
@@ -99,10 +106,12 @@ try {
     }
     for (const width of [320, 768, 1440, 3840]) {
       await page.setViewportSize({width, height: width > 2000 ? 2160 : 900});
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      const wide = await page.evaluate(
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth);
       if (wide > 0) report('horizontal scroll', `${wide} pixels at a width of ${width}, ${scheme}`);
       if (shots && width !== 3840)
-        await page.screenshot({path: join(shots, `${basename(page_file, '.html')}-${scheme}-${width}.png`), fullPage: true});
+        await page.screenshot(
+          {path: join(shots, `${basename(page_file, '.html')}-${scheme}-${width}.png`), fullPage: true});
       ++pages;
     }
     await page.setViewportSize({width: 1440, height: 900});

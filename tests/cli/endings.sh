@@ -18,7 +18,8 @@ fail() { echo "endings.sh: $*" >&2; failures+=1; }
 awk 'BEGIN {
   split("linear tsuji hysteretic fractional", law)
   print "law,en,tcol"
-  for (i = 0; i < 120000; ++i) printf "%s,%.7g,%.7g\n", law[i % 4 + 1], 0.01 + 0.98 * (i * 7919 % 100003) / 100003, 1e-6 * (1 + i % 1000)
+  for (i = 0; i < 120000; ++i)
+    printf "%s,%.7g,%.7g\n", law[i % 4 + 1], 0.01 + 0.98 * (i * 7919 % 100003) / 100003, 1e-6 * (1 + i % 1000)
 }' >rows.csv
 ln -s "$source" source
 
@@ -131,11 +132,13 @@ micros=3000000 instants_all=$instants instants=6
 each_signal 'verify all --quick --report out' all_or_nothing
 instants=$instants_all
 
-# simulate's files grow; stopped, they hold whole frames and rows, and --resume goes on to the very bytes of a whole run.
+# simulate's files grow; stopped, they hold whole frames and rows, and --resume goes on to the very bytes of a whole
+# run.
 whole_records() {
   [[ $code == "$expected" || $code == 0 ]] || fail "$1: exit code $code: $(cat err)"
   [[ -e out/trajectory.xyz ]] || return 0
-  awk 'NR % 4 == 1 && $0 != 2 || NR % 4 == 2 && !/^Properties=/ || NR % 4 == 3 && NF != 12 || NR % 4 == 0 && NF != 12 { exit 1 }
+  awk 'NR % 4 == 1 && $0 != 2 || NR % 4 == 2 && !/^Properties=/ ||
+       NR % 4 == 3 && NF != 12 || NR % 4 == 0 && NF != 12 { exit 1 }
        END { if (NR % 4) exit 1 }' out/trajectory.xyz || fail "$1: a frame is not whole"
   for csv in contacts energy; do
     awk -F, 'NR == 1 { n = NF } NF != n { exit 1 }' out/$csv.csv || fail "$1: $csv.csv has a row that is not whole"
@@ -227,7 +230,8 @@ for command in "${commands[@]}"; do
 
   # stderr closed: nothing lands in the files instead.
   run bash -c "$command 2>&- >&-"
-  if [[ $code == 0 ]]; then is new || fail "$command 2>&-: $(diff -rq new out)"; else fail "$command 2>&-: exit code $code"; fi
+  [[ $code == 0 ]] || { fail "$command 2>&-: exit code $code"; continue; }
+  is new || fail "$command 2>&-: $(diff -rq new out)"
 done
 
 # Complaints of bad rows would be the first to go astray.
@@ -286,7 +290,8 @@ fi
 run simulate source/data/scenes/bounce.json -o rows.csv/x
 must_fail 2 '^simulate: -o rows.csv/x: cannot be made: Not a directory$' 'simulate into a file'
 run bash -c 'ulimit -f 8; simulate source/data/scenes/bounce.json -o out'
-[[ $code == 4 ]] && grep -qE '^simulate: out/[a-z.]*: cannot write: File too large$' err || fail "simulate with ulimit -f: $code: $(cat err)"
+[[ $code == 4 ]] && grep -qE '^simulate: out/[a-z.]*: cannot write: File too large$' err ||
+  fail "simulate with ulimit -f: $code: $(cat err)"
 expected=4
 whole_records 'simulate with ulimit -f'
 
@@ -311,7 +316,8 @@ ends 2 '^verify: --format = xml: must be' 'verify tcol --format xml'
 ends 2 '^simulate: none.json: cannot be read' 'simulate none.json -o out/x'
 ends 2 '^simulate: ' 'simulate source/data/scenes/bounce.json'
 ends 2 '^simulate: out/x/state.json: cannot read' 'simulate source/data/scenes/bounce.json -o out/x --resume'
-ends 3 '^calibrate: --law fractional --end overlap: en = 0.001: must be in' 'calibrate --tcol 1e-4 --en 0.001 --law fractional --end overlap'
+ends 3 '^calibrate: --law fractional --end overlap: en = 0.001: must be in' \
+  'calibrate --tcol 1e-4 --en 0.001 --law fractional --end overlap'
 ends 4 'gnuplot: not found' "PATH=/none $bin/verify figures --figures out"
 ends 4 'gnuplot: not found' "PATH=/none $bin/calibrate --tcol 1e-4 --en 0.5 --report out/page.html"
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# locale.sh BIN SOURCE HOST_LOCALE: a locale of decimal commas changes no byte of what programs print and write, nor what
-# they read. HOST_LOCALE is a library that, preloaded, makes the programs adopt the locale, which by themselves they don't.
+# locale.sh BIN SOURCE HOST_LOCALE: a locale of decimal commas changes no byte of what programs print and write, nor
+# what they read. HOST_LOCALE is a library that, preloaded, makes the programs adopt the locale, which by themselves
+# they don't.
 set -euo pipefail
 bin=$(realpath "$1") source=$(realpath "$2") host_locale=$(realpath "$3")
 folder=$(mktemp -d)
@@ -10,11 +11,13 @@ fail() { echo "locale.sh: $*" >&2; exit 1; }
 
 command -v localedef >/dev/null || { echo 'skipped: localedef is missing'; exit 77; }
 mkdir locales
-localedef -i de_DE -f UTF-8 locales/de_DE.UTF-8 2>/dev/null || { echo "skipped: localedef cannot make de_DE (Debian's package locales)"; exit 77; }
+localedef -i de_DE -f UTF-8 locales/de_DE.UTF-8 2>/dev/null ||
+  { echo "skipped: localedef cannot make de_DE (Debian's package locales)"; exit 77; }
 export LC_ALL=C LOCPATH=$folder/locales PATH=$bin:$PATH
 export ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}verify_asan_link_order=0
 german=(env LC_ALL=de_DE.UTF-8 LD_PRELOAD="$host_locale")
-[[ $(SHOW_LOCALE=1 "${german[@]}" calibrate --version 2>&1 >/dev/null) == 0,5* ]] || fail 'the locale has no decimal comma'
+[[ $(SHOW_LOCALE=1 "${german[@]}" calibrate --version 2>&1 >/dev/null) == 0,5* ]] ||
+  fail 'the locale has no decimal comma'
 
 # Another digit, another word, another exit code: all would show. out/ is where commands write.
 same() {
@@ -57,12 +60,14 @@ same simulate scene/comma.json -o out/run
 [[ -x $bin/liggghts-ricochet ]] || { echo 'skipped: liggghts-ricochet (not built)'; exit 0; }
 export OMPI_MCA_ess_singleton_isolated=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 {
-  printf '%s\n' 'atom_style granular' 'atom_modify map array sort 0 0' 'boundary f f f' 'newton off' 'communicate single vel yes' \
-    'units si' 'region box block -0.02 0.02 -0.02 0.02 -0.02 0.02 units box' 'create_box 1 box' 'neighbor 0.0015 bin' 'neigh_modify delay 0'
+  printf '%s\n' 'atom_style granular' 'atom_modify map array sort 0 0' 'boundary f f f' 'newton off' \
+    'communicate single vel yes' 'units si' 'region box block -0.02 0.02 -0.02 0.02 -0.02 0.02 units box' \
+    'create_box 1 box' 'neighbor 0.0015 bin' 'neigh_modify delay 0'
   calibrate "${target[@]}" --radius 0.0015 --density 1000 --law fractional --export liggghts
   printf '%s\n' 'create_atoms 1 single -0.0015001 0 0 units box' 'create_atoms 1 single 0.0015001 0 0 units box' \
     'set group all diameter 0.003 density 1000' 'set atom 1 vx 0.25' 'set atom 2 vx -0.25' 'timestep 1e-6' \
-    'fix integrate all nve/sphere' 'thermo_style custom step atoms ke' 'thermo 100' 'dump out all custom 10 out/dump id x vx fx' \
+    'fix integrate all nve/sphere' 'thermo_style custom step atoms ke' 'thermo 100' \
+    'dump out all custom 10 out/dump id x vx fx' \
     'dump_modify out format "%d %.17g %.17g %.17g"' 'run 300'
 } >deck
 german=(env LC_ALL=de_DE.UTF-8)

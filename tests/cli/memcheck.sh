@@ -8,7 +8,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 sed 's/"duration": 0.5/"duration": 0.02/' "$source/data/scenes/bounce.json" >bounce.json
 sed 's/"duration": [0-9.e-]*/"duration": 3e-4/' "$source/data/scenes/column.json" >column.json
-printf 'law,tcol,en\nlinear,1e-4,0.5\nkuwabara-kono,1e-4,0.5\ntsuji,1e-4,0.5\nhysteretic,1e-4,0.5\nfractional,1e-4,0.5\n' >targets.csv
+{ echo law,tcol,en; printf '%s,1e-4,0.5\n' linear kuwabara-kono tsuji hysteretic fractional; } >targets.csv
 failures=0
 while read -r expected command; do
   program=${command%% *}

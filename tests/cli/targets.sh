@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# targets.sh CALIBRATE: many rows, on any number of threads to the same bytes, in bounded memory; nothing is left of what is
-# interrupted.
+# targets.sh CALIBRATE: many rows, on any number of threads to the same bytes, in bounded memory; nothing is left of
+# what is interrupted.
 set -euo pipefail
 calibrate=$(realpath "$1")
 folder=$(mktemp -d)
@@ -13,7 +13,8 @@ LC_ALL=C awk 'BEGIN {
   split("linear kuwabara-kono tsuji hysteretic fractional", law)
   print "law,en,tcol,velocity"
   for (i = 0; i < 150000; ++i)
-    printf "%s,%.7g,%.7g,%.5g\n", law[i % 5 + 1], i % 20000 == 7 ? 2 : 0.01 + 0.98 * (i * 7919 % 100003) / 100003, 1e-6 * (1 + i % 1000), 0.1 + i % 9
+    printf "%s,%.7g,%.7g,%.5g\n", law[i % 5 + 1],
+      i % 20000 == 7 ? 2 : 0.01 + 0.98 * (i * 7919 % 100003) / 100003, 1e-6 * (1 + i % 1000), 0.1 + i % 9
 }' >rows.csv
 
 # 300 MB of address space hold the program, its threads and a few blocks: not the answers to a file of any size.

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # transcript.sh PROGRAM TRANSCRIPT [--update]
-# Runs every "$ <program> <arguments>" line of a transcript and compares what the program says now with what is written there:
-# stdout as it is, stderr after "! ", the exit code after "? ". Digits that rounding may change are masked by "#".
+# Runs every "$ <program> <arguments>" line of a transcript and compares what the program says now with what is written
+# there: stdout as it is, stderr after "! ", the exit code after "? ". Digits that rounding may change are masked by
+# "#".
 set -u
 program=$(realpath "$1") transcript=$(realpath "$2") update=${3:-}
 folder=$(mktemp -d)
@@ -9,8 +10,9 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 
 mask() {
+  local e='[0-9]e[-+][0-9]+'
   sed -E \
-    -e 's/^(.*(LN_[A-Z]+|LD_[A-Z]+|closed form|bracketed root)) +[0-9]+ +[0-9]e[-+][0-9]+ +[0-9]e[-+][0-9]+ +(nlopt|direct) +[0-9]e[-+][0-9]+$/\1  #/' \
+    -e "s/^(.*(LN_[A-Z]+|LD_[A-Z]+|closed form|bracketed root)) +[0-9]+ +$e +$e +(nlopt|direct) +$e\$/\\1  #/" \
     -e 's/^(\|.*\|) [0-9]+ \| [0-9]e[-+][0-9]+ \| [0-9]e[-+][0-9]+ \| (nlopt|direct) \| [0-9]e[-+][0-9]+ \|$/\1 # |/' \
     -e '/"(achieved|residual)": \{/,/\}/ s/: -?[0-9][0-9.e+-]*/: #/' \
     -e 's/("(evaluations|max_relative_difference)"): [0-9.e+-]+/\1: #/' \

@@ -2,22 +2,27 @@
 
 #include <ricochet/collision/fractional_contact.hpp>
 
-#include <algorithm>
-#include <fstream>
-#include <sstream>
-#include <string>
+#include <console/csv.hpp>
+
+#include <array>
 #include <vector>
 
 /// The rows of data/fractional_contact_reference.csv; what it has no column for is 0.
 inline std::vector<ricochet::FractionalContact> reference_contacts() {
-  std::ifstream table(RICOCHET_SOURCE_DIR "/data/fractional_contact_reference.csv");
-  std::vector<ricochet::FractionalContact> rows;
-  for (std::string line; std::getline(table, line);) {
-    if (line.empty() || line[0] == '#' || line[0] == 'a') continue;
-    std::replace(line.begin(), line.end(), ',', ' ');
-    ricochet::FractionalContact r{};
-    std::istringstream(line) >> r.alpha >> r.z_star >> r.tau >> r.en >> r.overlap_end >> r.z_max_overlap >>
-        r.t_max_overlap >> r.max_overlap;
+  using ricochet::FractionalContact;
+  using ricochet::console::CsvColumn;
+  constexpr std::array columns{
+      CsvColumn{"alpha"},       CsvColumn{"z_star"},        CsvColumn{"tau"},           CsvColumn{"en"},
+      CsvColumn{"overlap_end"}, CsvColumn{"z_max_overlap"}, CsvColumn{"t_max_overlap"}, CsvColumn{"max_overlap"}};
+  constexpr std::array members{&FractionalContact::alpha,         &FractionalContact::z_star,
+                               &FractionalContact::tau,           &FractionalContact::en,
+                               &FractionalContact::overlap_end,   &FractionalContact::z_max_overlap,
+                               &FractionalContact::t_max_overlap, &FractionalContact::max_overlap};
+  ricochet::console::CsvReader table(RICOCHET_SOURCE_DIR "/data/fractional_contact_reference.csv", columns);
+  std::vector<FractionalContact> rows;
+  while (table.next()) {
+    FractionalContact r{};
+    for (std::size_t i = 0; i < members.size(); ++i) r.*members[i] = table.number(i);
     rows.push_back(r);
   }
   return rows;

@@ -4,6 +4,7 @@
 #include <console/csv.hpp>
 #include <console/exit.hpp>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -11,11 +12,40 @@ using namespace ricochet::console;
 
 namespace {
 
-std::vector<std::string> fields_of(std::string_view line) {
+constexpr std::array four{CsvColumn{"a"}, CsvColumn{"b"}, CsvColumn{"c"}, CsvColumn{"d"}};
+constexpr std::array speeds{CsvColumn{"velocity", "m/s", true}, CsvColumn{"en", "", true}, CsvColumn{"tcol", "s"}};
+
+/// The fields of a row under a head of as many columns.
+std::vector<std::string> fields_of(const std::string& line, const std::string& head = "a,b") {
   std::array<std::string_view, 4> fields;
-  const auto count = split_csv(line, fields);
-  if (!count) return {"refused"};
-  return {fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(*count)};
+  try {
+    CsvColumns("f", {head, 1}, four).split(line, fields);
+  } catch (const BadInput& error) {
+    return {error.what()};
+  }
+  return {fields.begin(), fields.begin() + 1 + std::count(head.begin(), head.end(), ',')};
+}
+
+std::string complaint_of(const std::string& head) {
+  try {
+    CsvColumns("f.csv", {head, 3}, speeds);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+/// What a file of these bytes tells of velocity and tcol.
+std::vector<double> numbers_in(const std::string& bytes) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "f", std::ios::binary) << bytes;
+  CsvReader file(folder / "f", speeds);
+  std::vector<double> numbers;
+  while (file.next()) {
+    numbers.push_back(file.number(0));
+    if (file.has(2)) numbers.push_back(file.number(2));
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -23,17 +53,61 @@ std::vector<std::string> fields_of(std::string_view line) {
 TEST_CASE("a line of CSV falls into its fields") {
   using Fields = std::vector<std::string>;
   CHECK(fields_of("a,b") == Fields{"a", "b"});
-  CHECK(fields_of(" a\t, \"b, c\" ,") == Fields{"a", "b, c", ""});
-  CHECK(fields_of("") == Fields{""});
+  CHECK(fields_of(" a\t, \"b, c\" ,", "a,b,c") == Fields{"a", "b, c", ""});
+  CHECK(fields_of("", "a") == Fields{""});
   CHECK(fields_of("\"\",x") == Fields{"", "x"});
-  CHECK(fields_of("a,b,c,d") == Fields{"a", "b", "c", "d"});
-  CHECK(fields_of("a,b,c,d,e") == Fields{"refused"});
-  CHECK(fields_of("a,\"b") == Fields{"refused"});
-  CHECK(fields_of("\"a\"b,c") == Fields{"refused"});
-  CHECK(fields_of("\"") == Fields{"refused"});
+  CHECK(fields_of("a,b,c,d", "a,b,c,d") == Fields{"a", "b", "c", "d"});
+  CHECK(fields_of("1,2", "b,a") == Fields{"2", "1"});
+  CHECK(fields_of("a,b,c") == Fields{"fields = 3: must be 2, one a column"});
+  CHECK(fields_of("a,\"b") == Fields{"row = a,\"b: must be a row of CSV"});
+  CHECK(fields_of("\"a\"b,c") == Fields{"row = \"a\"b,c: must be a row of CSV"});
+  CHECK(fields_of("\"") == Fields{"row = \": must be a row of CSV"});
+  CHECK(fields_of(std::string(CsvColumns::most, ',')).front().ends_with("must be a row of CSV"));
   CHECK(is_csv_remark(" \t"));
   CHECK(is_csv_remark("# x"));
   CHECK_FALSE(is_csv_remark("x"));
+}
+
+TEST_CASE("files come with commas, semicolons or tabs, decimal commas, marks and line ends of any system") {
+  const std::vector<double> expected{0.5, 1e-4, 2, 3e-4};
+  CHECK(numbers_in("velocity,en,tcol\n0.5,1,1e-4\n2,1,3e-4") == expected);
+  CHECK(numbers_in("velocity;en;tcol\n0,5;1;1e-4\n2;1;0,0003") == expected);
+  CHECK(numbers_in("velocity;en;tcol\n0.5;1;1e-4\n2;1;3e-4\n") == expected);
+  CHECK(numbers_in("velocity\ten\ttcol\n0,5\t1\t1e-4\n2\t1\t3e-4\n") == expected);
+  CHECK(numbers_in("\xef\xbb\xbf# lab\r\n\r\nVelocity (m/s),EN,tcol [s]\r\n0.5,1,1e-4\r\n2,1,3e-4\r\n") == expected);
+}
+
+TEST_CASE("units of a head are converted with one rounding") {
+  CHECK(numbers_in("velocity [mm/s],en,tcol [us]\n300,1,77.2\n1.1e3,1,0.1\n") ==
+        std::vector<double>{0.3, 77.2e-6, 1.1, 1e-7});
+  CHECK(numbers_in("velocity (cm/s);en;tcol (µs)\n0,07;1;1E+2\n") == std::vector<double>{0.0007, 1e-4});
+}
+
+TEST_CASE("what is wrong with a head is said with file and line") {
+  CHECK(complaint_of("velocity,en") == "none");
+  CHECK(complaint_of("velocity,en [-]") == "none");
+  CHECK(complaint_of("velocity,e") == "f.csv:3: column = e: must be one of velocity [m/s], en, tcol [s]");
+  CHECK(complaint_of("velocity [mph],en") == "f.csv:3: column = velocity [mph]: must be in m/s, cm/s, mm/s");
+  CHECK(complaint_of("velocity,en [s]") == "f.csv:3: column = en [s]: must be one of velocity [m/s], en, tcol [s]");
+  CHECK(complaint_of("velocity,EN,en") == "f.csv:3: column = en: must be given once");
+  CHECK(complaint_of("velocity") == "f.csv:3: column en: missing: must be given");
+  CHECK(complaint_of("\"velocity") == "f.csv:3: header = \"velocity: must be a row of CSV");
+}
+
+TEST_CASE("what is wrong with a row is said with file and line") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& bytes) {
+    std::ofstream(folder / "f", std::ios::binary) << bytes;
+    CsvReader file(folder / "f", speeds);
+    while (file.next()) file.number(0);
+    file.fail("read");
+  };
+  CHECK_THROWS_WITH(read("velocity,en\n# x\n1\n"), Catch::EndsWith("f:3: fields = 1: must be 2, one a column"));
+  CHECK_THROWS_WITH(read("velocity,en\nx,1\n"), Catch::EndsWith("f:2: velocity = x: must be a finite number"));
+  CHECK_THROWS_WITH(read("velocity;en\n1.000,5;1\n"), Catch::EndsWith("velocity = 1.000,5: must be a finite number"));
+  CHECK_THROWS_WITH(read("velocity,en\n,1\n"), Catch::EndsWith("f:2: velocity = nothing: must be a finite number"));
+  CHECK_THROWS_WITH(read("velocity,en\n1,1\n"), Catch::EndsWith("f:3: read"));
+  CHECK_THROWS_WITH(read(""), Catch::EndsWith("f:1: read"));
 }
 
 TEST_CASE("a file comes in blocks of whole lines, whatever the block size") {

@@ -1,15 +1,14 @@
 #include "mittag_leffler_reference.hpp"
 
 #include <catch2/catch.hpp>
+#include <console/csv.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -33,16 +32,11 @@ struct Row {
 };
 
 std::vector<Row> rows(const std::string& file) {
-  std::ifstream in(file);
+  using ricochet::console::CsvColumn;
+  constexpr std::array columns{CsvColumn{"a"}, CsvColumn{"b"}, CsvColumn{"x"}, CsvColumn{"value"}};
+  ricochet::console::CsvReader in(file, columns);
   std::vector<Row> result;
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#' || line[0] == 'a') continue;
-    Row row{};
-    std::istringstream fields(line);
-    char comma = 0;
-    fields >> row.a >> comma >> row.b >> comma >> row.x >> comma >> row.value;
-    result.push_back(row);
-  }
+  while (in.next()) result.push_back({in.number(0), in.number(1), in.number(2), in.number(3)});
   return result;
 }
 

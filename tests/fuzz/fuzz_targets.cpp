@@ -55,10 +55,10 @@ void check_row(std::string_view line, std::size_t columns, std::size_t status) {
 void check(const std::string& path, const calibration::TargetDefaults& defaults) {
   console::LineBlocks source(path, 512);  // small, so that lines cross the blocks
   console::LineBlocks::Block block;
-  std::size_t line = 1;
-  const std::string header = calibration::take_header(source, block, "f.csv", line);
+  const auto head = console::take_csv_head(source, block);
+  if (!head) return;
   static const calibration::DirectCalibrator calibrator;
-  const calibration::TargetRows rows("f.csv", line, header, defaults, calibrator);
+  const calibration::TargetRows rows("f.csv", *head, defaults, calibrator);
   const std::string names = rows.header();
   const auto columns = fields_of(std::string_view(names).substr(0, names.size() - 1));
   const auto status = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "status") - columns.begin());

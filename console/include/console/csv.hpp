@@ -5,19 +5,18 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ricochet::console {
-
-/// Splits one line of CSV at its commas into `fields`, blanks around a field and a pair of double quotes taken off; a
-/// quoted field may hold commas, but neither quotes nor line ends. Returns how many there are, or nothing where a quote
-/// is not closed or there are more than `fields` holds.
-std::optional<std::size_t> split_csv(std::string_view line, std::span<std::string_view> fields);
 
 /// A line that carries no row: empty, blanks, or a comment that starts with '#'.
 bool is_csv_remark(std::string_view line);
 
 /// The line up to its "\n" or "\r\n", which is taken from `text` together with it.
 std::string_view take_line(std::string_view& text);
+
+/// A piece of somebody's file, fit for a message of one line.
+std::string excerpt(std::string_view text);
 
 /// A large text file in blocks of whole lines: memory does not grow with the file.
 class LineBlocks {
@@ -47,6 +46,89 @@ class LineBlocks {
   std::size_t block_size_, size_ = 0, next_line_ = 1;
   int file_;
   std::string rest_;  // the begun last line of the block before
+};
+
+/// The head of a CSV file: its first line that is no remark.
+struct CsvHead {
+  std::string text;
+  std::size_t line = 1;  ///< its number in the file
+};
+
+/// Takes the lines up to and including the head from the first block that has one, and a byte-order mark before it;
+/// nothing where the file has none.
+std::optional<CsvHead> take_csv_head(LineBlocks& source, LineBlocks::Block& block);
+
+/// A column that a program takes from CSV files.
+struct CsvColumn {
+  std::string_view name;
+  std::string_view unit = {};  ///< SI, in which numbers are handed on; empty: a text, or a number without unit
+  bool needed = false;
+};
+
+/// The columns of one file as its head names them, and its rows read by them; shared by threads.
+///
+/// What a file may look like is decided here alone. Fields stand between commas, or between semicolons or tabs where
+/// the head does; there a number may have a decimal comma. Blanks around a field and a pair of double quotes are taken
+/// off; a quoted field may hold separators, but neither quotes nor line ends. A heading is a name as `CsvColumn` has
+/// it, in letters of any case, with a unit after it in brackets or parentheses ("v [mm/s]", "Velocity (m/s)"): another
+/// decimal multiple of the column's own is converted exactly, without one the numbers are in the column's own.
+class CsvColumns {
+ public:
+  static constexpr std::size_t most = 32;  ///< columns of a file
+
+  /// `accepted` must outlive it. Throws BadInput "file:line: column = x: must be one of …" where a column is none of
+  /// these, comes twice, has no known unit or is missing.
+  CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted);
+
+  bool has(std::size_t column) const { return exponents_[column].has_value(); }
+
+  /// The fields of one row by the order of `accepted`, which is the size of `fields`; one whose column the file does
+  /// not have is empty. Throws BadInput "fields = 3: must be 2, one a column", without a place.
+  void split(std::string_view line, std::span<std::string_view> fields) const;
+
+  /// The finite number that a field of that column spells, in the column's unit, rounded once.
+  std::optional<double> number(std::size_t column, std::string_view field) const;
+
+ private:
+  std::optional<std::size_t> fields_of(std::string_view line, std::span<std::string_view> fields) const;
+  std::size_t take(std::string_view heading);
+
+  std::span<const CsvColumn> accepted_;
+  char separator_;
+  std::vector<std::size_t> order_;             // the file's columns
+  std::vector<std::optional<int>> exponents_;  // of ten, from the file's unit to the column's, where it has the column
+};
+
+/// A CSV file row by row. What is wrong with it is BadInput that begins "file:line: ".
+class CsvReader {
+ public:
+  /// Reads the head; what `accepted` refers to must outlive the reader.
+  CsvReader(std::string path, std::span<const CsvColumn> accepted);
+  CsvReader(const CsvReader&) = delete;
+  CsvReader& operator=(const CsvReader&) = delete;
+
+  bool has(std::size_t column) const { return columns_ && columns_->has(column); }
+
+  /// To the next row; false after the last, and where there is not even a head.
+  bool next();
+
+  std::string_view text(std::size_t column) const { return fields_[column]; }
+  /// The finite number, in the column's unit; else throws "name = text: must be <accepted>".
+  double number(std::size_t column, std::string_view accepted = "a finite number") const;
+
+  [[noreturn]] void reject(std::size_t column, std::string_view accepted) const;
+  /// Throws BadInput "file:line: <what>", of the head before the first row, then of the row.
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  std::string path_;
+  std::span<const CsvColumn> accepted_;
+  LineBlocks source_;
+  LineBlocks::Block block_;
+  std::string_view rest_;  // of the block
+  std::size_t line_ = 1;
+  std::optional<CsvColumns> columns_;
+  std::vector<std::string_view> fields_;
 };
 
 }  // namespace ricochet::console

@@ -2,7 +2,8 @@
 
 #include "affordable_kernel.hpp"
 
-#include <charconv>
+#include <ricochet/support/text.hpp>
+
 #include <stdexcept>
 #include <string>
 
@@ -10,13 +11,9 @@ namespace ricochet {
 
 namespace {
 
-std::string three_digits(double value) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 3).ptr};
-}
 // Such that a value of three digits that a message names is accepted.
-std::string at_least(double value) { return "at least " + three_digits(1.005 * value); }
-std::string at_most(double value) { return "at most " + three_digits(0.995 * value); }
+std::string at_least(double value) { return "at least " + support::significant(1.005 * value, 3); }
+std::string at_most(double value) { return "at most " + support::significant(0.995 * value, 3); }
 
 MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
   const double shortest = options.shortest_memory > 0 ? options.shortest_memory : options.step;
@@ -28,8 +25,9 @@ MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
                    "at most 1e6 of the shortest, that is of the step by default");
   MemoryKernel kernel = motion::affordable_kernel(alpha, shortest, longest, tolerance);
   if (kernel.error() > tolerance) {
-    const std::string accepted = at_least(kernel.error()) + " at alpha = " + three_digits(alpha) +
-                                 " with a longest memory of " + three_digits(longest / shortest) + " shortest ones";
+    const std::string accepted = at_least(kernel.error()) + " at alpha = " + support::significant(alpha, 3) +
+                                 " with a longest memory of " + support::significant(longest / shortest, 3) +
+                                 " shortest ones";
     support::reject("memory_tolerance", tolerance, accepted.c_str());
   }
   return kernel;

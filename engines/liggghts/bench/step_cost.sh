@@ -48,7 +48,9 @@ DECK
 }
 
 # A loose lattice, disturbed so that it does not fall as one, dropped and left to settle.
-awk 'BEGIN { srand(1); print "grains\n\n1000 atoms\n1 atom types\n0 0.034 xlo xhi\n0 0.034 ylo yhi\n0 0.05 zlo zhi\n\nAtoms\n"
+awk 'BEGIN {
+  srand(1)
+  print "grains\n\n1000 atoms\n1 atom types\n0 0.034 xlo xhi\n0 0.034 ylo yhi\n0 0.05 zlo zhi\n\nAtoms\n"
   for (i = 0; i < 1000; i++)
     printf "%d 1 0.003 1000 %.6f %.6f %.6f\n", i + 1, 0.0017 + 0.0034 * (i % 10) + 2e-4 * (rand() - 0.5),
       0.0017 + 0.0034 * (int(i / 10) % 10) + 2e-4 * (rand() - 0.5), 0.0017 + 0.0034 * int(i / 100) }' >loose.data
@@ -101,6 +103,7 @@ for grains in 1000 10000; do
       echo "$(time_of hooke "$grains" "$ranks") $(time_of fractional "$grains" "$ranks")"
     done | awk -v grains="$grains" -v ranks="$ranks" '
       NR == 1 || $1 < hooke { hooke = $1 } NR == 1 || $3 < fractional { fractional = $3 }
-      END { printf "| %d | %d | %.0f | %.0f | %.2f | %s, %s |\n", grains, ranks, hooke, fractional, fractional / hooke, $2, $4 }'
+      END { printf "| %d | %d | %.0f | %.0f | %.2f | %s, %s |\n", grains, ranks, hooke, fractional, fractional / hooke,
+                   $2, $4 }'
   done
 done

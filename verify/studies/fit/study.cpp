@@ -31,19 +31,10 @@ const std::array sources{
     Source{"restitution_ice_supulver1995", "frost-free ice, 100 K (Supulver et al. 1995, their fit)"}};
 
 std::vector<Measurement> read(const std::string& file) {
-  const std::string path = data_folder() + "/" + file + ".csv";
-  console::LineBlocks source(path);
+  constexpr std::array columns{console::CsvColumn{"velocity", "m/s", true}, console::CsvColumn{"en", "", true}};
+  console::CsvReader source(data_folder() + "/" + file + ".csv", columns);
   std::vector<Measurement> data;
-  for (console::LineBlocks::Block block; source.next(block);)
-    for (std::string_view text = block.text; !text.empty();) {
-      const auto line = console::take_line(text);
-      if (console::is_csv_remark(line) || line.starts_with("velocity")) continue;
-      std::array<std::string_view, 2> fields;
-      const auto count = console::split_csv(line, fields);
-      const auto velocity = console::parse_number(fields[0]), en = console::parse_number(fields[1]);
-      if (count != 2 || !velocity || !en) throw console::Failed(path + ": " + std::string(line) + ": not velocity,en");
-      data.push_back({*velocity, *en});
-    }
+  while (source.next()) data.push_back({source.number(0), source.number(1)});
   return data;
 }
 

@@ -1,15 +1,14 @@
 #include <verify/registry.hpp>
 
-#include <console/exit.hpp>
+#include <console/csv.hpp>
 #include <console/number.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 namespace ricochet::verify {
 
@@ -38,25 +37,15 @@ struct Line {
   State paper;
 };
 
-/// The printed table; throws console::Failed where the file cannot be read.
+/// The printed table; throws console::BadInput where the file cannot be read.
 std::vector<Line> printed_lines() {
-  const std::string path = data_folder() + "/table1.csv";
-  std::ifstream file(path);
-  if (!file) throw console::Failed(path + ": cannot read");
+  constexpr std::array columns{console::CsvColumn{"dN", "", true}, console::CsvColumn{"dt", "s", true},
+                               console::CsvColumn{"overlap", "m", true}, console::CsvColumn{"velocity", "m/s", true},
+                               console::CsvColumn{"force", "N", true}};
+  console::CsvReader file(data_folder() + "/table1.csv", columns);
   std::vector<Line> lines;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '#' || line.starts_with("dN")) continue;
-    std::istringstream fields(line);
-    double value[5];
-    for (double& v : value) {
-      std::string digits;
-      std::getline(fields, digits, ',');
-      const auto number = console::parse_number(digits);
-      if (!number) throw console::Failed(path + ": " + line + ": not a number");
-      v = *number;
-    }
-    lines.push_back({static_cast<int>(value[0]), {value[2], value[3], value[4]}});
-  }
+  while (file.next())
+    lines.push_back({static_cast<int>(file.number(0)), {file.number(2), file.number(3), file.number(4)}});
   return lines;
 }
 

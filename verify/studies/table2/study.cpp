@@ -1,13 +1,12 @@
 #include <verify/registry.hpp>
 
 #include <calibrate/calibration.hpp>
-#include <console/exit.hpp>
+#include <console/csv.hpp>
 #include <console/number.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 namespace ricochet::verify {
 
@@ -34,23 +33,19 @@ struct Row {
   Collision ours_give = {};
 };
 
-/// The printed table; throws console::Failed where the file cannot be read.
+/// The printed table; throws console::BadInput where the file cannot be read.
 std::vector<Row> printed_rows() {
-  const std::string path = data_folder() + "/table2.csv";
-  std::ifstream file(path);
-  if (!file) throw console::Failed(path + ": cannot read");
+  constexpr std::array columns{console::CsvColumn{"name", "", true}, console::CsvColumn{"law", "", true},
+                               console::CsvColumn{"end", "", true}, console::CsvColumn{"parameter", "", true},
+                               console::CsvColumn{"value", "", true}};
+  console::CsvReader file(data_folder() + "/table2.csv", columns);
   std::vector<Row> rows;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '#' || line.starts_with("name,")) continue;
-    std::istringstream fields(line);
-    std::string name, law, end, parameter, digits;
-    for (auto* field : {&name, &law, &end, &parameter, &digits}) std::getline(fields, *field, ',');
-    const auto value = console::parse_number(digits);
-    const auto kind = LawKind::named(law);
-    if (!value || !kind) throw console::Failed(path + ": " + line + ": no law and number");
-    if (rows.empty() || rows.back().name != name)
-      rows.push_back({name, *kind, end == "force" ? ContactEnd::force : ContactEnd::overlap});
-    rows.back().paper.push_back({parameter, *value, ""});
+  while (file.next()) {
+    const auto kind = LawKind::named(file.text(1));
+    if (!kind) throw console::Failed("table2.csv: law = " + std::string(file.text(1)) + ": must be one of the laws");
+    if (rows.empty() || rows.back().name != file.text(0))
+      rows.push_back({std::string(file.text(0)), *kind, file.text(2) == "force" ? ContactEnd::force : ContactEnd::overlap});
+    rows.back().paper.push_back({std::string(file.text(3)), file.number(4), ""});
   }
   return rows;
 }
