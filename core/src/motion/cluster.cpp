@@ -1,7 +1,5 @@
 #include <ricochet/motion/cluster.hpp>
 
-#include "affordable_kernel.hpp"
-
 #include <ricochet/support/require.hpp>
 
 #include <algorithm>
@@ -41,7 +39,8 @@ double skin_of(const ClusterSetup& setup, const ClusterOptions& options) {
 MemoryKernel kernel_for(double alpha, const ClusterOptions& o) {
   const double shortest = 0.5 * o.step, longest = o.longest_contact > 0 ? o.longest_contact : 1e4 * o.step;
   require(longest <= 1e6 * shortest, "longest_contact", longest, "at most 5e5 steps with a fractional law");
-  return motion::affordable_kernel(alpha, shortest, std::max(longest, shortest), o.kernel_tolerance);
+  return affordable_kernel(alpha, {shortest, std::max(longest, shortest), o.kernel_tolerance},
+                           FractionalArms::max_arms);
 }
 
 }  // namespace

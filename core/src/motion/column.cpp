@@ -1,7 +1,5 @@
 #include <ricochet/motion/column.hpp>
 
-#include "affordable_kernel.hpp"
-
 #include <ricochet/motion/engine/column_engine.hpp>
 
 #include <charconv>
@@ -55,7 +53,7 @@ MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
   support::require(tolerance >= 1e-12 && tolerance <= 0.1, "memory_tolerance", tolerance, "in [1e-12, 0.1]");
   support::require(longest <= 1e6 * shortest, "longest_memory", longest,
                    "at most 1e6 of the shortest, that is of the step by default");
-  MemoryKernel kernel = motion::affordable_kernel(alpha, shortest, longest, tolerance);
+  MemoryKernel kernel = affordable_kernel(alpha, {shortest, longest, tolerance}, FractionalArms::max_arms);
   if (kernel.error() > tolerance) {
     const std::string accepted = at_least(kernel.error()) + " at alpha = " + three_digits(alpha) +
                                  " with a longest memory of " + three_digits(longest / shortest) + " shortest ones";
