@@ -69,8 +69,9 @@ struct Stepped {
   }
   double operator()(const Fractional& law) const {
     const double h = target.tcol / steps;
-    return worst_error(FractionalArms(law, memory_kernel(law.alpha(), h, 10 * target.tcol, 1e-6), h), end, target,
-                       steps);
+    const MemoryWindow window{h, 10 * target.tcol, 1e-6};
+    return worst_error(FractionalArms(law, affordable_kernel(law.alpha(), window, FractionalArms::max_arms), h), end,
+                       target, steps);
   }
 };
 

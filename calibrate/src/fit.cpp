@@ -3,7 +3,7 @@
 
 #include <ricochet/support/require.hpp>
 
-#include <boost/math/special_functions/gamma.hpp>
+#include <gsl/gsl_cdf.h>
 #include <nlopt.hpp>
 
 #include <algorithm>
@@ -207,7 +207,7 @@ void judge(Fit& fit, const VectorXd& residuals) {
   // Where σ is not known, no less than what the forward model's own error leaves.
   const double least = fit.errors_known ? 0 : n * model_error * model_error;
   fit.aic = fit.errors_known ? fit.chi2 + 2 * p : n * std::log(std::max(fit.chi2, least) / n) + 2 * (p + 1);
-  if (fit.errors_known) fit.probability = boost::math::gamma_q(0.5 * static_cast<double>(fit.freedom), 0.5 * fit.chi2);
+  if (fit.errors_known) fit.probability = gsl_cdf_chisq_Q(fit.chi2, static_cast<double>(fit.freedom));
 }
 
 }  // namespace

@@ -10,16 +10,14 @@ namespace ricochet::liggghts {
 
 namespace {
 
-// The arms must fit the history's fixed slots: of the tolerances tried, the sharpest that does is taken.
+// The arms must fit the history's fixed slots; worse than 1 % is no memory.
 MemoryKernel fitting_kernel(double alpha, double dt, double memory) {
   support::require(alpha >= 0 && alpha < 1, "alpha", alpha, "0 <= alpha < 1 (a contact that ends)");
   support::require_positive("dt", dt);
   support::require(std::isfinite(memory) && memory >= dt, "memory", memory, "at least one time step");
-  for (double tolerance : {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
-    MemoryKernel kernel = memory_kernel(alpha, dt, memory, tolerance);
-    if (kernel.arms().size() <= HalfStepContact::arm_slots) return kernel;
-  }
-  support::reject("memory/dt", memory / dt, "short enough for 12 arms");
+  MemoryKernel kernel = affordable_kernel(alpha, {dt, memory, 1e-7}, HalfStepContact::arm_slots);
+  support::require(kernel.error() <= 1e-2, "memory/dt", memory / dt, "short enough for 12 arms");
+  return kernel;
 }
 
 }  // namespace

@@ -113,6 +113,70 @@ TEST_CASE("A memory kernel shares both moments with the true one below its short
   }
 }
 
+TEST_CASE("The first moment is right to a thousandth of the tolerance") {
+  double worst = 0;
+  for (const double alpha : orders)
+    for (const double ratio : {1.0, 10.0, 1e3, 1e5})
+      for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
+        CAPTURE(alpha, ratio, tolerance);
+        const MemoryKernel kernel = memory_kernel(alpha, 1, ratio, tolerance);
+        const double off = moment(kernel, 1) * (2 - alpha) * std::tgamma(1 - alpha) - 1;
+        CHECK(std::fabs(off) <= 1e-3 * tolerance + 1e-14);
+        worst = std::max(worst, std::fabs(off) / tolerance);
+      }
+  CHECK(worst > 1e-4);  // so the moments are not exact, as the header says
+}
+
+TEST_CASE("The error of a memory kernel is a bound between all samples") {
+  for (const double alpha : {0.01, 0.5, 0.97, 0.999})
+    for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
+      CAPTURE(alpha, tolerance);
+      const MemoryKernel kernel = memory_kernel(alpha, 1, 10, tolerance);
+      const double gamma = std::tgamma(1 - alpha);
+      double worst = 0;
+      for (int i = 0; i <= 200000; ++i) {
+        const double t = std::pow(10.0, i / 200000.0);
+        worst = std::max(worst, std::fabs(1 - kernel(t) * gamma * std::pow(t, alpha)));
+      }
+      CHECK(worst <= kernel.error() + 2e-15);
+      CHECK(worst >= kernel.error() * (1 - 1e-6) - 2e-15);
+    }
+}
+
+TEST_CASE("A nearly elastic kernel grows until it holds its tolerance") {
+  CHECK(memory_kernel(0.01, 1, 1000, 1e-12).error() <= 1e-12);
+}
+
+TEST_CASE("An affordable kernel keeps to its arms and says what they hold") {
+  const ricochet::MemoryWindow window{1, 1e4, 1e-10};
+  const MemoryKernel kernel = ricochet::affordable_kernel(0.5, window, 12);
+  CHECK(kernel.arms().size() <= 12);
+  CHECK(kernel.error() > window.tolerance);
+  // Ten times sharper would take more.
+  CHECK(memory_kernel(0.5, 1, 1e4, kernel.error() / 10).arms().size() > 12);
+  CHECK(ricochet::affordable_kernel(0.5, window, 30).arms().size() == memory_kernel(0.5, window).arms().size());
+  CHECK_THROWS_WITH(ricochet::affordable_kernel(0.5, window, 1), Catch::Contains("most_arms = 1"));
+}
+
+TEST_CASE("Past its longest time a kernel levels off where the cluster's header says") {
+  struct Case {
+    double alpha, steps, level, off_at_twice;
+  };
+  for (const Case c : {Case{0.03, 1e4, 0.96, 0.012},
+                       {0.5, 1e4, 0.49, 0.012},
+                       {0.9999, 1e4, 0.31, 0.012},
+                       {0.9999, 4e5, 0.40, 0.053}}) {
+    CAPTURE(c.alpha, c.steps);
+    const MemoryKernel kernel = ricochet::affordable_kernel(c.alpha, {0.5, c.steps, 1e-8}, 24);
+    const double gamma = std::tgamma(1 - c.alpha);
+    CHECK(std::fabs(kernel.spring() * gamma * std::pow(c.steps, c.alpha) - c.level) < 0.005);
+    double off = 0;
+    for (double t = c.steps; t <= 2 * c.steps; t += c.steps / 100)
+      off = std::max(off, std::fabs(1 - kernel(t) * gamma * std::pow(t, c.alpha)));
+    CHECK(off < c.off_at_twice + 0.0005);
+  }
+}
+
 TEST_CASE("A memory kernel spends few arms") {
   // Exponents of the asymptotic rate leave 16 arms for 1e-10 over a ratio of 100, and 10 for 1e-6.
   for (const double alpha : orders) {

@@ -92,24 +92,6 @@ TEST_CASE("Weights of old samples keep their digits") {
   }
 }
 
-TEST_CASE("The fast path agrees with the plain one to rounding") {
-  const std::size_t n = 3000;
-  const double h = 1.0 / n;
-  const auto x = sampled([](double s) { return std::sin(7 * s) + s; }, h, n);
-  for (const double a : orders)
-    for (const ConvolutionRule& rule :
-         {rectangle_derivative(a, h, n), rectangle_integral(a, h, n), l1_derivative(a, h, n), l12_derivative(a, h, n),
-          trapezoid_derivative(a, h, n), trapezoid_integral(a, h, n), gruenwald_letnikov_derivative(a, h, n)}) {
-      const auto plain = rule.all(x), fast = rule.all_fast(x);
-      REQUIRE(plain.size() == fast.size());
-      double weights = 0, samples = 0, worst = 0;
-      for (const double w : rule.weights()) weights += w * w;
-      for (const double s : x) samples += s * s;
-      for (std::size_t i = 0; i < plain.size(); ++i) worst = std::max(worst, std::fabs(plain[i] - fast[i]));
-      CHECK(worst <= 8 * 2.3e-16 * std::log2(4.0 * n) * std::sqrt(weights * samples));
-    }
-}
-
 TEST_CASE("On a uniform mesh the general rules are the uniform ones, and grading mends a weak start") {
   const double a = 0.4;
   const auto mesh = graded_mesh(2, 40, 1);

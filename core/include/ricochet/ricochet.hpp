@@ -24,6 +24,7 @@
 #include <ricochet/contact/power_law.hpp>
 #include <ricochet/contact/vec3.hpp>
 #include <ricochet/fractional/collocation.hpp>
+#include <ricochet/fractional/decay_moments.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
 #include <ricochet/fractional/operators.hpp>

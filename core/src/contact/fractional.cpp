@@ -1,7 +1,6 @@
 #include <ricochet/contact/fractional.hpp>
+#include <ricochet/fractional/decay_moments.hpp>
 #include <ricochet/support/require.hpp>
-
-#include <cmath>
 
 namespace ricochet {
 
@@ -10,26 +9,14 @@ static_assert(ContactLaw<FractionalArms>);
 namespace {
 
 /// How an arm's elongation q, q' = ζ' − s q, moves over a step dt along which ζ' is linear:
-///   q(dt) = decay·q(0) + gain_before·ζ'(0) + gain_after·ζ'(dt),
-/// with x = s dt, gain_before = dt (1 − (1+x)e^{−x})/x², gain_after = dt (x − 1 + e^{−x})/x².
+///   q(dt) = decay·q(0) + gain_before·ζ'(0) + gain_after·ζ'(dt).
 struct Step {
   double decay, gain_before, gain_after;
 };
 
 Step step_of(double rate, double dt) noexcept {
-  const double x = rate * dt, decay = std::exp(-x);
-  if (x >= 0.5) {
-    const double scale = dt / (x * x);
-    return {decay, scale * (1 - (1 + x) * decay), scale * (x + std::expm1(-x))};
-  }
-  // gain_after/dt = Σ (−x)^k/(k+2)!, gain_before/dt = Σ (k+1)(−x)^k/(k+2)!: the closed forms would cancel.
-  double before = 0, after = 0, term = 0.5;
-  for (int k = 0; k < 14; ++k) {
-    after += term;
-    before += (k + 1) * term;
-    term *= -x / (k + 3);
-  }
-  return {decay, dt * before, dt * after};
+  const auto m = fractional::decay_moments(rate * dt);
+  return {m.decay, dt * m.rising, dt * m.falling};
 }
 
 }  // namespace

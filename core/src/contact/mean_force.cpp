@@ -1,20 +1,12 @@
 #include <ricochet/contact/mean_force.hpp>
-
-#include <cmath>
+#include <ricochet/fractional/decay_moments.hpp>
 
 namespace ricochet {
 
 SteadyArm steady_arm(double relaxation_rate, double dt) noexcept {
-  const double x = relaxation_rate * dt, decay = std::exp(-x);
-  const double first = x > 0 ? -std::expm1(-x) / x : 1.0;
-  if (x >= 0.5) return {decay, dt * first, first, dt * (1 - first) / x};
-  // (1 − φ₁)/x = Σ (−x)^k/(k+2)!: the closed form would cancel.
-  double second = 0, term = 0.5;
-  for (int k = 0; k < 14; ++k) {
-    second += term;
-    term *= -x / (k + 3);
-  }
-  return {decay, dt * first, first, dt * second};
+  const double x = relaxation_rate * dt, mean = fractional::decay_mean(x);
+  const auto m = fractional::decay_moments(x);
+  return {m.decay, dt * mean, mean, dt * m.falling};
 }
 
 double mean_force(const FractionalArms& law, double overlap, double rate, const FractionalArms::Memory& memory,

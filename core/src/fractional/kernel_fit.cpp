@@ -1,5 +1,9 @@
 #include "kernel_fit.hpp"
 
+#include <ricochet/fractional/decay_moments.hpp>
+
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <utility>
 
@@ -10,42 +14,14 @@ namespace {
 using Real = KernelFit::Real;
 using Vector = KernelFit::Vector;
 
-/// ∫₀¹ τ^m e^{−sτ} dτ for m = 0, 1, 2.
-Real moment(int m, Real s) {
-  if (s < 0.5L) {
-    Real sum = 0, term = 1;
-    for (int k = 0; k < 18; term *= -s / ++k) sum += term / (m + k + 1);
-    return sum;
-  }
-  const Real e = std::exp(-s);
-  if (m == 0) return (1 - e) / s;
-  if (m == 1) return (1 - e * (1 + s)) / (s * s);
-  return (2 - e * (2 + s * (2 + s))) / (s * s * s);
-}
-
-/// Gaussian elimination with row pivoting, in place; `a` is square, row-major.
+/// Solves a·y = b into b; `a` is square, row-major, and overwritten. False if it is singular.
 bool solve(Vector& a, Vector& b) {
-  const std::size_t n = b.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    std::size_t p = i;
-    for (std::size_t k = i + 1; k < n; ++k)
-      if (std::fabs(a[k * n + i]) > std::fabs(a[p * n + i])) p = k;
-    if (!(std::fabs(a[p * n + i]) > 0)) return false;
-    if (p != i) {
-      std::swap_ranges(&a[i * n], &a[i * n] + n, &a[p * n]);
-      std::swap(b[i], b[p]);
-    }
-    for (std::size_t k = i + 1; k < n; ++k) {
-      const Real factor = a[k * n + i] / a[i * n + i];
-      for (std::size_t j = i + 1; j < n; ++j) a[k * n + j] -= factor * a[i * n + j];
-      b[k] -= factor * b[i];
-    }
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t j = i + 1; j < n; ++j) b[i] -= a[i * n + j] * b[j];
-    b[i] /= a[i * n + i];
-  }
-  return true;
+  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto n = static_cast<Eigen::Index>(b.size());
+  Eigen::Map<Matrix> matrix(a.data(), n, n);
+  Eigen::Map<Eigen::Vector<Real, Eigen::Dynamic>> right(b.data(), n);
+  right = Eigen::PartialPivLU<Eigen::Ref<Matrix>>(matrix).solve(right);
+  return right.allFinite();
 }
 
 Real largest(const Vector& v, std::size_t count) {
@@ -92,9 +68,10 @@ class Conditions {
     Real sum = 0.5L * scale * spring;
     row[0] = sum;
     for (std::size_t j = 0; j < n; ++j) {
-      const Real part = scale * c[j] * moment(1, s[j]);
+      const auto m = decay_moments(s[j]);
+      const Real part = scale * c[j] * m.rising;
       sum += part;
-      row[1 + j] = part, row[1 + n + j] = -scale * c[j] * s[j] * moment(2, s[j]);
+      row[1 + j] = part, row[1 + n + j] = -scale * c[j] * s[j] * m.rising_twice;
     }
     r[size - 1] = 1 - sum;
     return r;
@@ -124,7 +101,7 @@ Real KernelFit::deviation(Real t) const {
 
 Real KernelFit::impulse() const {
   Real sum = spring();
-  for (std::size_t j = 0; j < arms(); ++j) sum += strength(j) * moment(0, rate(j));
+  for (std::size_t j = 0; j < arms(); ++j) sum += strength(j) * decay_mean(rate(j));
   return sum;
 }
 
@@ -135,7 +112,7 @@ bool KernelFit::meet(const Vector& points, Real& level, Real tolerance) {
   Vector x = x_, jacobian, next_jacobian;
   Real e = level;
   Vector step = conditions.residual(x, e, jacobian);
-  for (int iteration = 0; iteration < 40; ++iteration) {
+  for (int iteration = 0; iteration < 200; ++iteration) {
     const Real before = largest(step, step.size());
     if (before <= tolerance) {
       take(std::move(x));

@@ -15,7 +15,7 @@ using namespace fractional;
 
 void require_parameters(double a, double b) {
   support::require(a > 0 && a <= 3, "a", a, "in (0, 3]");
-  support::require(b > 0 && b <= 700, "b", b, "in (0, 700]");
+  support::require(b > 0 && b <= 120, "b", b, "in (0, 120]");
 }
 
 void require_argument(double x) { support::require(x >= -1e6 && x <= 5, "x", x, "in [-1e6, 5]"); }

@@ -1,7 +1,5 @@
 #include <ricochet/motion/column.hpp>
 
-#include "affordable_kernel.hpp"
-
 #include <ricochet/support/text.hpp>
 
 #include <stdexcept>
@@ -23,7 +21,7 @@ MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
   support::require(tolerance >= 1e-12 && tolerance <= 0.1, "memory_tolerance", tolerance, "in [1e-12, 0.1]");
   support::require(longest <= 1e6 * shortest, "longest_memory", longest,
                    "at most 1e6 of the shortest, that is of the step by default");
-  MemoryKernel kernel = motion::affordable_kernel(alpha, shortest, longest, tolerance);
+  MemoryKernel kernel = affordable_kernel(alpha, {shortest, longest, tolerance}, FractionalArms::max_arms);
   if (kernel.error() > tolerance) {
     const std::string accepted = at_least(kernel.error()) + " at alpha = " + support::significant(alpha, 3) +
                                  " with a longest memory of " + support::significant(longest / shortest, 3) +

@@ -39,7 +39,8 @@ inline double mean_force(const Hysteretic& law, double overlap, double rate, con
 
 /// How a Maxwell arm q' = ζ' − s q goes through dt at a constant ζ', with x = s dt:
 ///   q(dt) = decay·q(0) + gain·ζ',   mean of q = mean_before·q(0) + mean_gain·ζ',
-/// decay = e^{−x}, mean_before = φ₁ = (1 − e^{−x})/x, gain = dt φ₁, mean_gain = dt φ₂ = dt (1 − φ₁)/x; to rounding.
+/// decay = e^{−x}, mean_before = φ₁ = (1 − e^{−x})/x, gain = dt φ₁, mean_gain = dt φ₂ = dt (1 − φ₁)/x; to rounding
+/// (fractional/decay_moments.hpp).
 struct SteadyArm {
   double decay, gain, mean_before, mean_gain;
 };

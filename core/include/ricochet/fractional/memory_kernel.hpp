@@ -6,6 +6,13 @@
 
 namespace ricochet {
 
+/// The times that a memory kernel is made for, and how well it keeps them.
+struct MemoryWindow {
+  double shortest;   ///< δ [s]: the shortest step
+  double longest;    ///< T [s]: the longest contact
+  double tolerance;  ///< relative error on [δ, T]
+};
+
 /// One Maxwell arm of a memory kernel: strength·exp(−rate·t).
 struct Arm {
   double strength;  ///< > 0 [s^{−α}]
@@ -18,7 +25,8 @@ struct Arm {
 ///
 /// What it promises, with k the true kernel, K its spring and arms, and δ = shortest(), T = longest():
 /// - on [δ, T]: |K(t) − k(t)| ≤ error()·k(t);
-/// - on (0, δ): ∫K + dashpot = ∫k and ∫τK = ∫τk. So the derivative of a function whose rate is linear over the last
+/// - on (0, δ): ∫K + dashpot = ∫k to rounding, and ∫τK = ∫τk to 1e-3 of the error asked for, relative, where the
+///   exchange of points stops, and to rounding where that is finer than 1e-8. So the derivative of a function whose rate is linear over the last
 ///   δ is exact but for error(): stepping with linear rates and steps ≥ δ is the product trapezoid rule, second order
 ///   in the step; for any smooth rate what the dashpot misses is O(δ^{3−α}), and the impulse of a force that starts
 ///   with a jump of the rate is right at once.
@@ -31,15 +39,15 @@ class MemoryKernel {
   double dashpot() const noexcept { return dashpot_; }    ///< [s^{1−α}]; 0 for α = 0
   std::span<const Arm> arms() const noexcept { return arms_; }
 
-  /// Largest relative error on [δ, T], measured on the finished (rounded) coefficients between the points where the
-  /// sum meets the kernel. Larger than the asked tolerance only if max_kernel_arms did not suffice.
+  /// Largest relative error on [δ, T] of the finished (rounded) coefficients: the highest top of all its waves, each
+  /// found by Newton's method, and the two ends; rounded up. K in exact arithmetic keeps it. Larger than the asked tolerance only if max_kernel_arms did not suffice.
   double error() const noexcept { return error_; }
 
   /// K(t), spring and arms, at t ≥ 0 [s].
   double operator()(double t) const noexcept;
 
  private:
-  friend MemoryKernel memory_kernel(double alpha, double shortest, double longest, double tolerance);
+  friend MemoryKernel memory_kernel(double alpha, const MemoryWindow& window);
   MemoryKernel() = default;
 
   double alpha_ = 0, shortest_ = 0, longest_ = 0, spring_ = 0, dashpot_ = 0, error_ = 0;
@@ -60,6 +68,14 @@ inline constexpr std::size_t max_kernel_arms = 64;
 /// finds it; n grows one by one, each solution starting the next, and the points are those of the best approximation
 /// (Braess & Hackbusch, IMA J. Numer. Anal. 25, 685 (2005)), found by exchange for small n and carried on by
 /// interpolation. docs/theory/memory_kernel.md has the derivation and the counts.
-MemoryKernel memory_kernel(double alpha, double shortest, double longest, double tolerance);
+MemoryKernel memory_kernel(double alpha, const MemoryWindow& window);
+
+inline MemoryKernel memory_kernel(double alpha, double shortest, double longest, double tolerance) {
+  return memory_kernel(alpha, {shortest, longest, tolerance});
+}
+
+/// The best kernel that `most_arms` arms carry: where the window's tolerance needs more, it gives way tenfold, and
+/// error() says to what. Throws std::invalid_argument as memory_kernel does, and where not even 0.1 can be kept.
+MemoryKernel affordable_kernel(double alpha, const MemoryWindow& window, std::size_t most_arms);
 
 }  // namespace ricochet

@@ -26,9 +26,6 @@ class ConvolutionRule {
   double last(std::span<const double> samples) const;
   /// y_0..y_n, each from its full history: n²/2 multiplications.
   std::vector<double> all(std::span<const double> samples) const;
-  /// The same by one fast Fourier transform of length ≥ 2n: O(n log n). Differs from `all` by rounding only,
-  /// |difference| ≤ 8 ε log₂(4n) ‖w‖₂‖x‖₂.
-  std::vector<double> all_fast(std::span<const double> samples) const;
 
  private:
   void check(std::span<const double> samples) const;

@@ -2,7 +2,7 @@
 
 #include "fractional_path.hpp"
 
-#include <cmath>
+#include <ricochet/fractional/decay_moments.hpp>
 
 namespace ricochet::collision {
 
@@ -15,22 +15,14 @@ struct ArmStep {
 };
 
 ArmStep arm_step(double rate, double h) {
-  const double x = rate * h, decay = std::exp(-x);
-  if (x >= 0.5) {
-    const double before = (1 - (1 + x) * decay) / (x * x), after = (x + std::expm1(-x)) / (x * x);
-    return {decay, h * before, h * after, -std::expm1(-x) / rate, h * (0.5 - before) / rate, h * (0.5 - after) / rate};
-  }
-  // Σ (−x)^k/(k+m)! and its like: the closed forms would cancel.
-  double before = 0, after = 0, impulse_before = 0, impulse_after = 0, term = 0.5;  // (−x)^k/(k+2)!
-  for (int k = 0; k < 16; ++k) {
-    before += (k + 1) * term;
-    after += term;
-    impulse_before += (k + 2) * term / (k + 3);
-    impulse_after += term / (k + 3);
-    term *= -x / (k + 3);
-  }
-  return {
-      decay, h * before, h * after, x > 0 ? -std::expm1(-x) / rate : h, h * h * impulse_before, h * h * impulse_after};
+  const double x = rate * h;
+  const auto m = fractional::decay_moments(x);
+  return {m.decay,
+          h * m.rising,
+          h * m.falling,
+          h * fractional::decay_mean(x),
+          h * h * (m.falling - m.falling_once),
+          h * h * m.falling_once};
 }
 
 std::vector<ArmStep> arm_steps(const Exponentials& kernel, double h) {
@@ -38,10 +30,6 @@ std::vector<ArmStep> arm_steps(const Exponentials& kernel, double h) {
   for (const double rate : kernel.rate) steps.push_back(arm_step(rate, h));
   return steps;
 }
-
-}  // namespace
-
-namespace {
 
 /// Steps v_{n+1} = v_n − ∫force, the integral by the trapezoid or exactly for a rate linear over the step. Either is
 /// linear in v_{n+1}: ∫force = known + slope·v_{n+1}.

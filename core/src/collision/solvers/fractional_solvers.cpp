@@ -135,7 +135,7 @@ std::string_view name(FractionalScheme scheme) noexcept {
 
 MemoryKernel solver_kernel(const Fractional& law, const Impact& impact, double shortest, double tolerance) {
   const double longest = longest_contact(law.alpha()) * natural_time(law, impact);
-  return memory_kernel(law.alpha(), shortest, std::max(longest, shortest), tolerance);
+  return memory_kernel(law.alpha(), {shortest, std::max(longest, shortest), tolerance});
 }
 
 FractionalSolverResult solve_collision(FractionalScheme scheme, const Fractional& law, const Impact& impact,
