@@ -80,7 +80,8 @@ void direct_calibration() {
 void nlopt_calibration() {
   const auto nlopt = [](const std::string& name, LawName law) {
     count_warm(name, 1, [&] {
-      sink = static_cast<double>(calibrate({law, ContactEnd::force, {1e-4, 0.5, {0.5, 7.06858e-6}}}).index());
+      sink = static_cast<double>(
+          ricochet::calibrate::calibrate({law, ContactEnd::force, {1e-4, 0.5, {0.5, 7.06858e-6}}}).index());
     });
   };
   nlopt("nlopt_kuwabara_kono", LawName::kuwabara_kono);
