@@ -105,7 +105,7 @@ void walk(DrivenLaw& law, const Impact& impact, const std::function<void(const I
 /// Method. The implicit trapezoid with the memory advanced along a linear rate, which is symmetric and of second order,
 /// over N steps from the touch to the turning point and N more to the end, each at the last point of a mesh whose
 /// length is solved for; the mesh is graded by a fourth power towards touch and end, where forces begin like ζ^{1/2},
-/// ζ^{1/4} or t^{1−α}. N is doubled from 16 on and every result extrapolated, by Romberg's scheme and by Wynn's epsilon,
+/// ζ^{1/4} or t^{1−α}. N is doubled from 16 on and every result extrapolated, by Romberg's scheme and Wynn's epsilon,
 /// until one of the two has stood still to 1e-10. Memories are only copied, never combined.
 ///
 /// The end is looked for after the turning point: by force where that falls to 0, or where it still repels as the

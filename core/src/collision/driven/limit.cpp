@@ -18,8 +18,8 @@ std::vector<double> romberg_row(const std::vector<double>& last, double value) {
   return row;
 }
 
-/// The next ascending diagonal of the epsilon table, from its last: ε_{k+1} = ε_{k−1} + 1/(ε_k − ε_k'). A difference of 0
-/// means that ε_k has converged: the row ends there.
+/// The next ascending diagonal of the epsilon table, from its last: ε_{k+1} = ε_{k−1} + 1/(ε_k − ε_k'). A difference of
+/// 0 means that ε_k has converged: the row ends there.
 std::vector<double> wynn_row(const std::vector<double>& last, double value) {
   std::vector<double> row{value};
   for (std::size_t k = 0; k < last.size(); ++k) {
