@@ -76,7 +76,7 @@ void a_calibration(Arguments& in) {
     const auto outcome = calibration::calibrate({law, end, {tcol, en, {in.number(), in.number()}}}, settings);
     if (const auto* found = std::get_if<calibration::Calibration>(&outcome)) {
       expect_good(found->achieved);
-      for (const auto& parameter : calibration::parameters(found->law)) expect_finite({parameter.value});
+      for (const auto& parameter : parameters(found->law)) expect_finite({parameter.value});
     }
   } catch (const calibration::NotConverged&) {
   }

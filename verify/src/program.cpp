@@ -1,3 +1,4 @@
+#include <verify/document.hpp>
 #include <verify/program.hpp>
 #include <verify/report.hpp>
 
@@ -28,16 +29,6 @@ struct Options {
   std::string folder;  // figures of one study, report of all
 };
 
-std::string shown(const Study& study, const StudyResult& result, Format format) {
-  if (format == Format::json) return console::document(study_json(study, result));
-  auto tables = result.tables;
-  // CSV is for the data; whoever wants the gates in a machine's hands takes the JSON.
-  if (format != Format::csv) tables.push_back(gate_table(result.gates));
-  std::string text = console::render_all(tables, format);
-  if (format != Format::csv && !result.verdict.empty()) text += "\n" + result.verdict + "\n";
-  return text;
-}
-
 Exit judged(const Study& study, const StudyResult& result) {
   for (const Gate& gate : result.gates)
     if (!gate.pass)
@@ -61,7 +52,7 @@ Exit run_one(Study& study, const Options& options) {
   console::Output output(options.output.file);
   const StudyResult result = study.run(options.run);
   if (folder) write_study(study, result, *folder);
-  output.write(shown(study, result, options.output.format));
+  output.write(study_text(study, result, options.output.format));
   const console::SignalsHeld held;
   if (folder) folder->commit();
   output.commit();
@@ -101,7 +92,7 @@ std::string shown_all(const std::vector<Outcome>& outcomes, Format format) {
     if (format == Format::json)
       all["studies"].push_back(study_json(*outcome.study, *outcome.result));
     else
-      text += (text.empty() ? "" : "\n") + shown(*outcome.study, *outcome.result, format);
+      text += (text.empty() ? "" : "\n") + study_text(*outcome.study, *outcome.result, format);
   }
   return format == Format::json ? console::document(all) : text;
 }
@@ -137,23 +128,6 @@ void add_common(CLI::App& app, Options& options, const std::string& folder_flag,
 }
 
 }  // namespace
-
-Json study_json(const Study& study, const StudyResult& result) {
-  Json json{{"schema", "ricochet/" + study.name() + "/1"}, {"claim", study.claim()}, {"verdict", result.verdict}};
-  json.update(result.extra);
-  json["gates"] = Json::array();
-  for (const Gate& gate : result.gates) json["gates"].push_back(to_json(gate));
-  if (!result.remarks.empty()) json["remarks"] = Json::array();
-  for (const Remark& remark : result.remarks)
-    json["remarks"].push_back({{"about", remark.about}, {"text", remark.text}});
-  if (!result.rows.is_null()) {
-    json["rows"] = result.rows;
-    return json;
-  }
-  json["units"] = result.tables.empty() ? Json::object() : console::units_of(result.tables[0]);
-  json["rows"] = result.tables.empty() ? Json::array() : console::rows_of(result.tables[0]);
-  return json;
-}
 
 int run_verify(const Studies& studies, int argc, const char* const* argv) {
   CLI::App app("Checks the laws, the numerics and the paper's figures against what they claim", "verify");

@@ -1,4 +1,4 @@
-#include <verify/program.hpp>
+#include <verify/document.hpp>
 #include <verify/report.hpp>
 
 #include <console/output.hpp>

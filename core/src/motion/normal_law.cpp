@@ -10,7 +10,8 @@ namespace {
 MemoryKernel kernel_for(double alpha, const NormalStepping& s) {
   const double shortest = 0.5 * s.step, longest = s.longest_contact > 0 ? s.longest_contact : 1e4 * s.step;
   support::require(longest <= 1e6 * shortest, "longest_contact", longest, "at most 5e5 steps with a fractional law");
-  return affordable_kernel(alpha, {shortest, std::max(longest, shortest), s.kernel_tolerance}, FractionalArms::max_arms);
+  return affordable_kernel(alpha, {shortest, std::max(longest, shortest), s.kernel_tolerance},
+                           FractionalArms::max_arms);
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 
 #include <console/exit.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-namespace ricochet::verify {
+namespace ricochet::verify::column {
 
 namespace {
 
@@ -22,13 +24,14 @@ ColumnResult run(const AnyLaw& plate, const AnyLaw& pair, std::size_t beads, con
   const double contacts = c.memory_contacts > 0 ? c.memory_contacts : 20.0 + static_cast<double>(beads);
   options.longest_memory = c.tcol * std::min(1e5 / c.steps, contacts);
   options.memory_tolerance = c.memory_tolerance;
-  ColumnResult result = run_column(equal_column(beads, bead_mass, c.gap, -fall_velocity), plate, pair, options);
+  ColumnResult result =
+      run_column(equal_column(beads, paper::column.bead_mass, c.gap, -paper::column.velocity), plate, pair, options);
   if (result.end == ColumnEnd::broke_down)
-    throw console::Failed("column of " + std::to_string(beads) + " beads, " + id +
-                          ": the motion broke down; more steps a contact are needed");
+    throw console::Failed(
+        fmt::format("column of {} beads, {}: the motion broke down; more steps a contact are needed", beads, id));
   if (result.end == ColumnEnd::out_of_time)
-    throw console::Failed("column of " + std::to_string(beads) + " beads, " + id + ": contacts are not over after " +
-                          std::to_string(result.steps) + " steps");
+    throw console::Failed(
+        fmt::format("column of {} beads, {}: contacts are not over after {} steps", beads, id, result.steps));
   return result;
 }
 
@@ -53,23 +56,23 @@ const ColumnLaw* find_column_law(const std::string& id) {
 }
 
 ColumnResult run_case(const ColumnLaw& law, std::size_t beads, const ColumnCase& c) {
-  const AnyLaw plate = tuned_law(law.kind, c.tcol, c.en, {fall_velocity, bead_mass}, law.end);
-  const AnyLaw pair = tuned_law(law.kind, c.tcol, c.en, {fall_velocity, bead_mass / 2}, law.end);
+  const AnyLaw plate = tuned_law(law.kind, c.tcol, c.en, {paper::column.velocity, paper::column.bead_mass}, law.end);
+  const AnyLaw pair = tuned_law(law.kind, c.tcol, c.en, {paper::column.velocity, paper::column.bead_mass / 2}, law.end);
   return run(plate, pair, beads, c, law.end, law.id);
 }
 
 ColumnResult run_fractional(double alpha, std::size_t beads, const ColumnCase& c) {
-  return run(tuned_fractional(alpha, c.tcol, bead_mass), tuned_fractional(alpha, c.tcol, bead_mass / 2), beads, c,
-             ContactEnd::force, "fractional");
+  return run(tuned_fractional(alpha, c.tcol, paper::column.bead_mass),
+             tuned_fractional(alpha, c.tcol, paper::column.bead_mass / 2), beads, c, ContactEnd::force, "fractional");
 }
 
 std::optional<double> event_driven_share(std::size_t beads, const ColumnCase& c) {
   // Without collapse nc beads meet some nc² times.
   const std::size_t limit = 100 * beads * beads;
-  const EventDrivenResult hard =
-      event_driven_column(equal_column(beads, bead_mass, std::max(c.gap, 1e-9), -fall_velocity), c.en, limit);
+  const EventDrivenResult hard = event_driven_column(
+      equal_column(beads, paper::column.bead_mass, std::max(c.gap, 1e-9), -paper::column.velocity), c.en, limit);
   if (hard.status == EventDrivenResult::Status::collapsed) return std::nullopt;
   return 1 - hard.energy_ratio;
 }
 
-}  // namespace ricochet::verify
+}  // namespace ricochet::verify::column

@@ -1,26 +1,26 @@
 #pragma once
 
-#include <ricochet/motion/column.hpp>
+#include "../paper.hpp"
+
 #include <ricochet/collision/reduction.hpp>
+#include <ricochet/motion/column.hpp>
 
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace ricochet::verify {
+namespace ricochet::verify::column {
 
-/// The paper's Fig. 6: beads of r = 1.5e-3 m, m = 1.41e-5 kg stacked over a plate, all falling at 0.5 m/s, no gravity.
-/// Every contact, of a pair and of the plate, is made for the same t_col and e_n.
+/// A column of the paper's beads, of r = 1.5e-3 m, all falling at once, no gravity. Every contact, of a pair and of the
+/// plate, is made for the same t_col and e_n; as it stands, the case of Fig. 6.
 struct ColumnCase {
-  double gap = 1e-6;  ///< under each bead [m]; the print is illegible, about this
-  double en = 0.945;
-  double tcol = 1e-4;              ///< [s]
-  int steps = 200;                 ///< a t_col
-  double memory_tolerance = 1e-6;  ///< of the fractional law's kernel
-  double memory_contacts = 0;      ///< its longest time [t_col]; 0: 20 + the number of beads
+  double gap = paper::column.gap;  ///< under each bead [m]
+  double en = paper::column.en;
+  double tcol = paper::column.tcol;  ///< [s]
+  int steps = 200;                   ///< a t_col
+  double memory_tolerance = 1e-6;    ///< of the fractional law's kernel
+  double memory_contacts = 0;        ///< its longest time [t_col]; 0: 20 + the number of beads
 };
-
-inline constexpr double bead_mass = 1.41e-5, fall_velocity = 0.5;  // [kg], [m/s]
 
 /// A law as Fig. 6 names it.
 struct ColumnLaw {
@@ -48,4 +48,4 @@ std::optional<double> event_driven_share(std::size_t beads, const ColumnCase& c)
 /// Dissipated share (62).
 inline double share(const ColumnResult& result) { return 1 - result.energy_ratio; }
 
-}  // namespace ricochet::verify
+}  // namespace ricochet::verify::column

@@ -5,12 +5,13 @@
 
 #include <console/exit.hpp>
 
+#include <fmt/format.h>
 #include <nlopt.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace ricochet::verify {
+namespace ricochet::verify::column {
 
 namespace {
 
@@ -81,8 +82,7 @@ ConversionFit fit_conversion(std::size_t most, std::size_t stride, const ColumnC
   Curve curve{conversion_degree(c.en), c, stride, {}};
   for (std::size_t n = 1; n <= most; ++n) {
     const auto target = event_driven_share(n, c);
-    if (!target)
-      throw console::Failed("alpha(nc): the event-driven column of " + std::to_string(n) + " beads collapses");
+    if (!target) throw console::Failed(fmt::format("alpha(nc): the event-driven column of {} beads collapses", n));
     curve.target.push_back(*target);
   }
   ConversionFit fit{minimise(curve), {}};
@@ -101,4 +101,4 @@ ConversionFit fit_conversion(std::size_t most, std::size_t stride, const ColumnC
   return fit;
 }
 
-}  // namespace ricochet::verify
+}  // namespace ricochet::verify::column

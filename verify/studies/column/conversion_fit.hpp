@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ricochet::verify {
+namespace ricochet::verify::column {
 
 /// The conversion degree as a function of the number of beads, α(nc) = 1 − (1 − α₁)^{s(nc)} with
 /// s(nc) = (1 + a (nc − 1))^b, so that α(1) = α₁.
@@ -39,4 +39,4 @@ struct ConversionFit {
 /// Throws console::Failed if NLopt does not converge or an event-driven column collapses.
 ConversionFit fit_conversion(std::size_t most, std::size_t stride, const ColumnCase& c);
 
-}  // namespace ricochet::verify
+}  // namespace ricochet::verify::column

@@ -2,11 +2,13 @@
 
 #include "case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-namespace ricochet::verify {
+namespace ricochet::verify::column {
 
 namespace {
 
@@ -20,7 +22,7 @@ double stated_error(const ColumnCase& c) { return 5 * squared(1.0 / c.steps); }
 void one_bead(std::vector<Gate>& gates) {
   const ColumnCase c;
   for (const ColumnLaw& law : column_laws())
-    gates.push_back(near(std::string("one bead, ") + law.id + ": E/E0 is en^2", run_case(law, 1, c).energy_ratio,
+    gates.push_back(near(fmt::format("one bead, {}: E/E0 is en^2", law.id), run_case(law, 1, c).energy_ratio,
                          squared(c.en), stated_error(c)));
 }
 
@@ -32,7 +34,7 @@ void wide_gaps(std::vector<Gate>& gates) {
   const double hard = *event_driven_share(beads, c);
   for (const ColumnLaw& law : column_laws())
     if (law.kind != kind_of<KuwabaraKono>)
-      gates.push_back(near(std::string("10 beads with gaps of 1 m, ") + law.id + ": share of the event-driven column",
+      gates.push_back(near(fmt::format("10 beads with gaps of 1 m, {}: share of the event-driven column", law.id),
                            share(run_case(law, beads, c)), hard, static_cast<double>(beads) * stated_error(c)));
 }
 
@@ -47,8 +49,7 @@ console::Table known_energies(std::vector<Gate>& gates) {
   for (const Known& k : known) {
     const double ratio = run_case(*find_column_law("linear1"), k.beads, {.gap = 0, .en = 0.9}).energy_ratio;
     table.row({static_cast<std::int64_t>(k.beads), ratio, k.ratio});
-    gates.push_back(
-        near("touching linear beads, en 0.9, nc " + std::to_string(k.beads) + ": E/E0", ratio, k.ratio, 1e-4));
+    gates.push_back(near(fmt::format("touching linear beads, en 0.9, nc {}: E/E0", k.beads), ratio, k.ratio, 1e-4));
   }
   table.note("known: one independent calculation, to 1e-4.");
   return table;
@@ -70,7 +71,7 @@ console::Table observed_orders(std::vector<Gate>& gates) {
     const double first = ratio[1] - ratio[0], last = ratio[3] - ratio[2];
     const double order = 0.5 * std::log2(std::abs(first / last));
     table.row({std::string(law.id), first, ratio[2] - ratio[1], last, order});
-    gates.push_back(between(std::string("order in E/E0, ") + law.id, order, 1.85, 2.15));
+    gates.push_back(between(fmt::format("order in E/E0, {}", law.id), order, 1.85, 2.15));
   }
   return table;
 }
@@ -85,4 +86,4 @@ ColumnProofs column_proofs() {
   return {std::move(gates), std::move(known), std::move(orders)};
 }
 
-}  // namespace ricochet::verify
+}  // namespace ricochet::verify::column

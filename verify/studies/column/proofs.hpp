@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace ricochet::verify {
+namespace ricochet::verify::column {
 
 /// What the column engine must do whatever the paper says: one bead, known energies, wide gaps, observed orders.
 struct ColumnProofs {
@@ -17,4 +17,4 @@ struct ColumnProofs {
 
 ColumnProofs column_proofs();
 
-}  // namespace ricochet::verify
+}  // namespace ricochet::verify::column

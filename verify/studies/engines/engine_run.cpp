@@ -5,6 +5,8 @@
 #include <console/number.hpp>
 #include <console/scratch.hpp>
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <locale>
@@ -14,7 +16,7 @@
 
 #include <unistd.h>
 
-namespace ricochet::verify {
+namespace ricochet::verify::engines {
 
 namespace fs = std::filesystem;
 using calibration::Engine;
@@ -50,45 +52,44 @@ Start start_of(const Encounter& pair, double step) {
 
 std::string box(double half_size, const char* units) {
   std::string sides;
-  for (int i = 0; i < 3; ++i) sides += " -" + shortest(half_size) + " " + shortest(half_size);
-  return "region box block" + sides + units + "\ncreate_box 1 box\n";
+  for (int i = 0; i < 3; ++i) sides += fmt::format(" -{} {}", shortest(half_size), shortest(half_size));
+  return fmt::format("region box block{}{}\ncreate_box 1 box\n", sides, units);
 }
 
 std::string grains(const Encounter& pair, const Start& start, const char* units) {
-  const std::string x = shortest(start.half_distance), half = shortest(0.5 * pair.velocity);
-  return "create_atoms 1 single -" + x + " 0 0" + units + "\ncreate_atoms 1 single " + x + " 0 0" + units +
-         "\nset group all diameter " + shortest(2 * pair.radius) + " density " + shortest(pair.density) +
-         "\nset atom 1 vx " + half + "\nset atom 2 vx -" + half + "\n";
+  const std::string half = shortest(0.5 * pair.velocity);
+  return fmt::format(
+      "create_atoms 1 single -{x} 0 0{units}\ncreate_atoms 1 single {x} 0 0{units}\n"
+      "set group all diameter {diameter} density {density}\nset atom 1 vx {half}\nset atom 2 vx -{half}\n",
+      fmt::arg("x", shortest(start.half_distance)), fmt::arg("units", units),
+      fmt::arg("diameter", shortest(2 * pair.radius)), fmt::arg("density", shortest(pair.density)),
+      fmt::arg("half", half));
 }
 
-/// One run; its trajectory goes into the file `out`.
+/// The time steps of both engines, whose trajectory goes into the file `out`; LAMMPS wants the word "line" before a
+/// format.
+std::string stepping(double step, const std::string& out, const char* line, const Start& start) {
+  return fmt::format(
+      "timestep {}\nfix integrate all nve/sphere\nthermo 100000000\ndump out all custom 1 {} id x vx fx\n"
+      "dump_modify out sort id format {}\"%d %.17g %.17g %.17g\"\nrun {}\n",
+      shortest(step), out, line, start.steps);
+}
+
 std::string lammps_run(const Encounter& pair, double step, const std::string& out) {
   const Start start = start_of(pair, step);
-  return "units si\natom_style sphere\natom_modify map array sort 0 0\nnewton off\ncomm_modify vel yes\n"
-         "boundary f f f\n" +
-         box(10 * pair.radius, "") + grains(pair, start, "") + "include snippet\nneighbor " + shortest(pair.radius) +
-         " bin\nneigh_modify delay 0 every 1 check yes\ntimestep " + shortest(step) +
-         "\nfix integrate all nve/sphere\nthermo 100000000\n"
-         "dump out all custom 1 " +
-         out +
-         " id x vx fx\n"
-         "dump_modify out sort id format line \"%d %.17g %.17g %.17g\"\nrun " +
-         std::to_string(start.steps) + "\n";
+  return fmt::format(
+      "units si\natom_style sphere\natom_modify map array sort 0 0\nnewton off\ncomm_modify vel yes\n"
+      "boundary f f f\n{}{}include snippet\nneighbor {} bin\nneigh_modify delay 0 every 1 check yes\n{}",
+      box(10 * pair.radius, ""), grains(pair, start, ""), shortest(pair.radius), stepping(step, out, "line ", start));
 }
 
 std::string liggghts_run(const Encounter& pair, double step, const std::string& out) {
   const Start start = start_of(pair, step);
-  return "atom_style granular\natom_modify map array sort 0 0\nboundary f f f\nnewton off\n"
-         "communicate single vel yes\nunits si\n" +
-         box(10 * pair.radius, " units box") + "neighbor " + shortest(pair.radius) +
-         " bin\nneigh_modify delay 0\ninclude snippet\n" + grains(pair, start, " units box") + "timestep " +
-         shortest(step) +
-         "\nfix integrate all nve/sphere\nthermo 100000000\n"
-         "dump out all custom 1 " +
-         out +
-         " id x vx fx\n"
-         "dump_modify out sort id format \"%d %.17g %.17g %.17g\"\nrun " +
-         std::to_string(start.steps) + "\n";
+  return fmt::format(
+      "atom_style granular\natom_modify map array sort 0 0\nboundary f f f\nnewton off\n"
+      "communicate single vel yes\nunits si\n{}neighbor {} bin\nneigh_modify delay 0\ninclude snippet\n{}{}",
+      box(10 * pair.radius, " units box"), shortest(pair.radius), grains(pair, start, " units box"),
+      stepping(step, out, "", start));
 }
 
 /// The dump of both: per step a header that ends in "ITEM: ATOMS", then one line a sphere.
@@ -128,9 +129,9 @@ std::string yade_script(const Encounter& pair, const std::vector<double>& steps)
       "      out.write(f'{n * dt!r} {2 * r - (xb - xa)!r} {va - vb!r} {O.forces.f(ids[1])[0]!r}\\n')\n";
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Start start = start_of(pair, steps[i]);
-    script += "encounter(" + std::to_string(i) + ", " + shortest(steps[i]) + ", " + std::to_string(start.steps) + ", " +
-              shortest(start.half_distance) + ", " + shortest(pair.radius) + ", " + shortest(pair.velocity) + ", " +
-              shortest(pair.density) + ")\n";
+    script += fmt::format("encounter({}, {}, {}, {}, {}, {}, {})\n", i, shortest(steps[i]), start.steps,
+                          shortest(start.half_distance), shortest(pair.radius), shortest(pair.velocity),
+                          shortest(pair.density));
   }
   return script;
 }
@@ -170,7 +171,7 @@ void run_in(const console::ScratchFolder& folder, std::vector<std::string> argum
   const console::Ran ran = console::run(
       {std::move(arguments), folder.path(), {}, {"QT_QPA_PLATFORM=offscreen", "OMPI_MCA_ess_singleton_isolated=1"}});
   if (!ran.found || ran.status != 0)
-    throw console::Failed(std::string(what) + ": " + last_words(ran.out + "\n" + ran.err));
+    throw console::Failed(fmt::format("{}: {}", what, last_words(ran.out + "\n" + ran.err)));
 }
 
 }  // namespace
@@ -198,8 +199,8 @@ std::vector<Trajectory> EngineProgram::run(const std::string& snippet, const Enc
   const std::string script = yade ? "script.py" : "script";  // Yade goes by the ending
   folder.write(script, script_of(engine_, pair, steps));
   run_in(folder,
-         yade ? std::vector{command_, std::string("-n"), std::string("-x"), script}
-              : std::vector{command_, std::string("-in"), script, std::string("-log"), std::string("none")},
+         yade ? std::vector<std::string>{command_, "-n", "-x", script}
+              : std::vector<std::string>{command_, "-in", script, "-log", "none"},
          text(engine_).data());
   std::vector<Trajectory> trajectories;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -209,4 +210,4 @@ std::vector<Trajectory> EngineProgram::run(const std::string& snippet, const Enc
   return trajectories;
 }
 
-}  // namespace ricochet::verify
+}  // namespace ricochet::verify::engines

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace ricochet::verify {
+namespace ricochet::verify::engines {
 
 /// One instant of a head-on collision of two equal spheres.
 struct Instant {
@@ -52,4 +52,4 @@ class EngineProgram {
   std::string command_;
 };
 
-}  // namespace ricochet::verify
+}  // namespace ricochet::verify::engines

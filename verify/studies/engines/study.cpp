@@ -1,197 +1,30 @@
-#include "engine_run.hpp"
+#include "outcome.hpp"
 
 #include <verify/registry.hpp>
 
-#include <calibrate/calibration.hpp>
 #include <console/number.hpp>
 #include <console/progress.hpp>
-#include <ricochet/collision/peer_damping.hpp>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace ricochet::verify {
+
+namespace engines {
 
 namespace {
 
 using calibration::Engine;
 using console::Json;
 using console::Notation;
-using console::shortest;
 using console::Table;
 
-// Two spheres of Table II: r = 1.5 mm, 1000 kg/m³.
-constexpr double tcol = 1e-4;
-constexpr Encounter pair{.radius = 1.5e-3, .density = 1000, .velocity = 0.5, .duration = 1.7 * tcol};
-
-constexpr int resolutions[] = {25, 50, 100, 200, 400};  // steps in tcol
-constexpr std::size_t at_200 = 3, finest = 4;
-
-/// One contact in one engine: what it is given and what shall come out when the step goes to zero.
-struct Case {
-  Engine engine;
-  std::string contact;  ///< "tsuji, force" or the engine's own input
-  std::string snippet;
-  ContactEnd end;  ///< which zero is timed
-  double en_asked;
-  double en, tcol;            ///< in the limit; tcol 0: not known
-  std::optional<AnyLaw> law;  ///< what the engine runs, where its stepping can be repeated with it
-  bool fractional = false;
-};
-
-struct Measured {
-  double en, tcol;
-};
-
-struct Outcome {
-  Case what;
-  std::vector<Measured> at;             ///< over resolutions
-  Measured limit{};                     ///< extrapolated from the two finest steps, for errors of first order
-  std::optional<double> repeated = {};  ///< greatest relative difference of en from the engine's stepping repeated
-  double error(std::size_t i) const { return std::abs(at[i].en / what.en - 1); }
-};
-
-/// Time of the first zero after the touch at `begin`: of the overlap between two instants; of the force beyond the last
-/// two that repel, because clipped forces have no sign to bracket.
-double end_of_contact(const Trajectory& path, double begin, ContactEnd end) {
-  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-    const Instant &a = path[i - 1], &b = path[i], &c = path[i + 1];
-    if (b.time <= begin) continue;
-    if (end == ContactEnd::overlap && b.overlap > 0 && c.overlap <= 0)
-      return b.time + (c.time - b.time) * b.overlap / (b.overlap - c.overlap);
-    if (end == ContactEnd::force && a.force > 0 && b.force > 0 && c.force <= 0)
-      return b.time + (b.time - a.time) * b.force / (a.force - b.force);
-  }
-  return begin;
-}
-
-Measured measure(const Trajectory& path, double step, ContactEnd end) {
-  const double begin = steps_before_touch * step;
-  return {-path.back().rate / pair.velocity, end_of_contact(path, begin, end) - begin};
-}
-
-/// What all three engines do: leapfrog, with the force at the new position and the velocity of half a step before. The
-/// lag makes damping, and so the restitution, first order in the step.
-template <class Law>
-Trajectory repeat_stepping(const Law& law, ContactEnd end, double step) {
-  Trajectory path;
-  double overlap = -steps_before_touch * step * pair.velocity, rate = pair.velocity;
-  for (long n = 0; n <= std::lround(pair.duration / step); ++n) {
-    double force = overlap > 0 ? law.force({overlap, rate}, {}) : 0;
-    if (end == ContactEnd::force) force = std::max(0.0, force);
-    path.push_back({static_cast<double>(n) * step, overlap, rate, force});
-    rate -= force / pair.mass_eff() * step;
-    overlap += rate * step;
-  }
-  return path;
-}
-
-std::optional<Trajectory> repeat_stepping(const AnyLaw& law, ContactEnd end, double step) {
-  if (const auto* l = std::get_if<Linear>(&law)) return repeat_stepping(*l, end, step);
-  if (const auto* l = std::get_if<KuwabaraKono>(&law)) return repeat_stepping(*l, end, step);
-  if (const auto* l = std::get_if<Tsuji>(&law)) return repeat_stepping(*l, end, step);
-  return std::nullopt;
-}
-
-AnyLaw calibrated(LawKind law, ContactEnd end, double en) {
-  const calibration::Request request{law, end, {tcol, en, {pair.velocity, pair.mass_eff()}}};
-  return std::get<calibration::Calibration>(calibration::calibrate(request, {.method = calibration::Method::direct}))
-      .law;
-}
-
-/// Every law that the engine can be given, as `calibrate --export` writes it.
-void add_exports(std::vector<Case>& cases, Engine engine) {
-  for (const double en : {0.5, 0.9})
-    for (const LawKind law : LawKind::all())
-      for (const auto end : {ContactEnd::overlap, ContactEnd::force}) {
-        if (!law.ends().offer(end)) continue;
-        const calibration::ExportCase what{.law = calibrated(law, end, en),
-                                           .end = end,
-                                           .tcol = tcol,
-                                           .en = en,
-                                           .impact = {pair.velocity, pair.mass_eff()},
-                                           .radius_eff = pair.radius_eff(),
-                                           .density = pair.density};
-        const auto snippet = calibration::export_law(engine, what);
-        if (snippet.fidelity == calibration::Fidelity::absent) continue;
-        const bool exact = snippet.fidelity == calibration::Fidelity::exact;
-        // A close snippet promises what it says it gives: another end of contact, or another law that meets the target.
-        const bool other_end = snippet.gives.status == CollisionStatus::ended_by_force && end == ContactEnd::overlap;
-        const ContactEnd runs = other_end ? ContactEnd::force : end;
-        const bool repeatable = exact || other_end;
-        cases.push_back({engine, "exported " + std::string(law.name()) + ", " + std::string(calibration::text(end)),
-                         snippet.text, runs, en, snippet.gives.en, snippet.gives.tcol,
-                         repeatable ? std::optional(what.law) : std::nullopt, law == kind_of<Fractional>});
-      }
-}
-
-const PeerDamping& peer(std::string_view id) {
-  const auto all = peer_dampings();
-  return *std::find_if(all.begin(), all.end(), [id](const PeerDamping& p) { return p.id == id; });
-}
-
-/// The engine's own way to ask for a restitution, against what `verify peers` says it gives.
-void add_own_formulas(std::vector<Case>& cases, Engine engine) {
-  constexpr double asked = 0.5, nu = 0.3, m_young = 1e8;
-  const double m = pair.mass_eff(), root = std::sqrt(pair.radius_eff());
-  const double k = 4.0 / 3.0 * m_young / (2 * (1 - nu * nu)) * root;  // of E = 1e8 Pa
-  const auto add = [&](const char* id, const std::string& snippet) {
-    const PeerDamping& p = peer(id);
-    const double beta = p.damping_ratio(asked), loss = -std::log(asked);
-    const AnyLaw law = p.law == PeerLaw::tsuji
-                           ? AnyLaw(Tsuji(k, beta * std::sqrt(5 * m * k)))
-                           : AnyLaw(Linear(m * (std::numbers::pi * std::numbers::pi + loss * loss) / (tcol * tcol),
-                                           2 * m * loss / tcol));
-    cases.push_back(
-        {engine, "own: " + std::string(id), snippet, p.end, asked, restitution_of_damping(beta, p.end), 0, law});
-  };
-  const std::string material =
-      "fix young all property/global youngsModulus peratomtype 1e8\n"
-      "fix nu all property/global poissonsRatio peratomtype 0.3\n"
-      "fix en all property/global coefficientRestitution peratomtypepair 1 0.5\n"
-      "pair_style gran model hertz tangential off limitForce ";
-  const std::string mindlin =
-      "material = FrictMat(young=1e8, poisson=0.3, frictionAngle=0)\n"
-      "law2 = Law2_ScGeom_MindlinPhys_Mindlin()\n"
-      "ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, es=0.5)\n";
-  if (engine == Engine::lammps)
-    add("lammps tsuji 2021", "pair_style granular\npair_coeff * * hertz " + shortest(k / root) +
-                                 " 0.5 damping tsuji tangential linear_nohistory 0.0 0.0\n");
-  if (engine == Engine::liggghts) {
-    add("liggghts hertz", material + "off\npair_coeff * *\n");
-    add("liggghts hertz, limited", material + "on\npair_coeff * *\n");
-  }
-  if (engine == Engine::yade) {
-    add("yade tc-en",
-        "material = ViscElMat(tc=1e-4, en=0.5, et=1, frictionAngle=0)\n"
-        "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()\nlaw2 = Law2_ScGeom_ViscElPhys_Basic()\n");
-    add("yade mindlin 2023", mindlin);
-  }
-}
-
-Outcome run_case(const EngineProgram& program, const Case& what) {
-  std::vector<double> steps;
-  for (const int n : resolutions) steps.push_back(tcol / n);
-  Outcome outcome{.what = what, .at = {}};
-  const auto paths = program.run(what.snippet, pair, steps);
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (paths[i].size() < 3) throw std::runtime_error("no trajectory came back of " + what.contact);
-    outcome.at.push_back(measure(paths[i], steps[i], what.end));
-    if (!what.law) continue;
-    if (const auto path = repeat_stepping(*what.law, what.end, steps[i]))
-      outcome.repeated = std::max(outcome.repeated.value_or(0),
-                                  std::abs(outcome.at[i].en / measure(*path, steps[i], what.end).en - 1));
-  }
-  const Measured &coarse = outcome.at[at_200], &fine = outcome.at[finest];
-  outcome.limit = {2 * fine.en - coarse.en, 2 * fine.tcol - coarse.tcol};
-  return outcome;
-}
-
-std::string label(const Case& what) {
-  return std::string(text(what.engine)) + ": " + what.contact + ", en " + shortest(what.en_asked);
+std::string label(const Contact& what) {
+  return fmt::format("{}: {}, en {}", text(what.engine), what.name, what.en_asked);
 }
 
 Table results(const std::vector<Outcome>& outcomes) {
@@ -211,7 +44,7 @@ Table results(const std::vector<Outcome>& outcomes) {
                {"repeated to", "", power}},
               "Restitution of two spheres in the engines, tcol = 1e-4 s");
   for (const Outcome& o : outcomes) {
-    std::vector<console::Cell> cells{std::string(text(o.what.engine)), o.what.contact, o.what.en_asked, o.what.en};
+    std::vector<console::Cell> cells{std::string(text(o.what.engine)), o.what.name, o.what.en_asked, o.what.en};
     for (const Measured& m : o.at) cells.push_back(m.en);
     cells.push_back(o.limit.en);
     cells.push_back(o.error(at_200));
@@ -231,15 +64,16 @@ Table results(const std::vector<Outcome>& outcomes) {
 Table deficiencies(const std::vector<Outcome>& outcomes) {
   Table table({{"engine"}, {"contact"}, {"known deficiency"}}, "What the engines get wrong by themselves");
   for (const Outcome& o : outcomes) {
-    const auto add = [&](const std::string& text_) {
-      table.row({std::string(text(o.what.engine)), o.what.contact, text_});
+    const auto add = [&](const std::string& deficiency) {
+      table.row({std::string(text(o.what.engine)), o.what.name, deficiency});
     };
     if (std::abs(o.what.en - o.what.en_asked) > 1e-3)
-      add("en asked " + shortest(o.what.en_asked) + ", obtained " + console::fixed(o.limit.en, 4));
+      add(fmt::format("en asked {}, obtained {:.4f}", o.what.en_asked, o.limit.en));
     if (o.error(at_200) > 1e-3)
-      add("first order in the step: en off by " + console::significant(100 * o.error(at_200), 2) + " % at tcol/200, " +
-          console::significant(100 * o.error(finest), 2) +
-          " % at tcol/400 (damping from the velocity half a step before)");
+      add(fmt::format(
+          "first order in the step: en off by {} % at tcol/200, {} % at tcol/400 (damping from the velocity "
+          "half a step before)",
+          console::significant(100 * o.error(at_200), 2), console::significant(100 * o.error(finest), 2)));
   }
   return table;
 }
@@ -268,7 +102,7 @@ Json row(const Outcome& o) {
     times.push_back(o.at[i].tcol);
   }
   return {{"engine", text(o.what.engine)},
-          {"contact", o.what.contact},
+          {"contact", o.what.name},
           {"en_asked", o.what.en_asked},
           {"en_expected", o.what.en},
           {"tcol_expected", o.what.tcol > 0 ? Json(o.what.tcol) : Json()},
@@ -278,6 +112,34 @@ Json row(const Outcome& o) {
           {"en_limit", o.limit.en},
           {"tcol_limit", o.limit.tcol},
           {"repeated_difference", o.repeated ? Json(*o.repeated) : Json()}};
+}
+
+std::string program_name(Engine engine, bool fractional) {
+  return fractional ? "liggghts-ricochet" : std::string(text(engine));
+}
+
+/// What was run, and the programs that are not installed.
+struct Runs {
+  std::vector<Outcome> outcomes = {};
+  std::vector<std::string> missing = {};
+  bool misses(const std::string& who) const { return std::find(missing.begin(), missing.end(), who) != missing.end(); }
+};
+
+Runs run_all() {
+  std::vector<Contact> contacts;
+  for (const Engine engine : {Engine::liggghts, Engine::lammps, Engine::yade})
+    for (Contact& contact : contacts_of(engine)) contacts.push_back(std::move(contact));
+  Runs runs;
+  console::Progress progress("verify engines", contacts.size());
+  for (const Contact& what : contacts) {
+    const std::string who = program_name(what.engine, what.fractional);
+    if (const auto program = EngineProgram::find(what.engine, what.fractional))
+      runs.outcomes.push_back(engines::run(*program, what));
+    else if (!runs.misses(who))
+      runs.missing.push_back(who);
+    progress.advance();
+  }
+  return runs;
 }
 
 class Engines : public Study {
@@ -299,47 +161,27 @@ class Engines : public Study {
   std::vector<std::string> required_;
 };
 
-std::string program_name(Engine engine, bool fractional) {
-  return fractional ? "liggghts-ricochet" : std::string(text(engine));
-}
-
 StudyResult Engines::run(const RunOptions&) {
-  std::vector<Case> cases;
-  for (const Engine engine : {Engine::liggghts, Engine::lammps, Engine::yade}) {
-    add_exports(cases, engine);
-    add_own_formulas(cases, engine);
-  }
-  std::vector<Outcome> outcomes;
-  std::vector<std::string> missing;
-  console::Progress progress("verify engines", cases.size());
-  for (const Case& what : cases) {
-    if (const auto program = EngineProgram::find(what.engine, what.fractional)) {
-      outcomes.push_back(run_case(*program, what));
-    } else if (const auto who = program_name(what.engine, what.fractional);
-               std::find(missing.begin(), missing.end(), who) == missing.end()) {
-      missing.push_back(who);
-    }
-    progress.advance();
-  }
+  const Runs runs = run_all();
   StudyResult result;
-  result.tables = {results(outcomes), deficiencies(outcomes)};
+  result.tables = {results(runs.outcomes), deficiencies(runs.outcomes)};
   result.rows = Json::array();
-  for (const Outcome& o : outcomes) {
+  for (const Outcome& o : runs.outcomes) {
     add_gates(result.gates, o);
     result.rows.push_back(row(o));
   }
-  for (const std::string& who : required_)
-    result.gates.push_back(
-        holds(who + " is installed", std::find(missing.begin(), missing.end(), who) == missing.end()));
-  result.extra["skipped"] = missing;
-  result.verdict = std::to_string(outcomes.size()) + " contacts run";
-  for (const std::string& who : missing) result.verdict += "; SKIPPED " + who + ": not installed here";
+  for (const std::string& who : required_) result.gates.push_back(holds(who + " is installed", !runs.misses(who)));
+  result.extra["skipped"] = runs.missing;
+  result.verdict = fmt::format("{} contacts run", runs.outcomes.size());
+  for (const std::string& who : runs.missing) result.verdict += fmt::format("; SKIPPED {}: not installed here", who);
   result.verdict += ".";
   return result;
 }
 
 }  // namespace
 
-std::unique_ptr<Study> engines_study() { return std::make_unique<Engines>(); }
+}  // namespace engines
+
+std::unique_ptr<Study> engines_study() { return std::make_unique<engines::Engines>(); }
 
 }  // namespace ricochet::verify

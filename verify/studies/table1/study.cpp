@@ -1,14 +1,19 @@
+#include "../paper.hpp"
+
 #include <verify/registry.hpp>
 
 #include <console/csv.hpp>
+#include <console/exit.hpp>
 #include <console/number.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
+#include <fstream>
+#include <sstream>
 
 namespace ricochet::verify {
 
@@ -18,14 +23,9 @@ using console::Json;
 using console::Notation;
 using console::Table;
 
-// The case of Fig. 2: a steel sphere on a plate. The density reads 7680 or 7850 kg/m³ in the print.
-constexpr double radius = 3e-3, velocity = 1, printed_tcol = 38.6e-6;
-const Fractional law(4615380, 128.1, 0.2);
-constexpr double densities[] = {7850, 7680};
-
-Impact impact_of(double density) {
-  return {.velocity = velocity, .mass_eff = density * 4 / 3 * std::numbers::pi * radius * radius * radius};
-}
+using paper::steel;
+const Fractional law(steel.k, steel.c, steel.alpha);
+constexpr double densities[] = {steel.density, steel.other_density};
 
 /// Overlap [m], rate [m/s] and force [N] at one time.
 struct State {
@@ -37,7 +37,7 @@ struct Line {
   State paper;
 };
 
-/// The printed table; throws console::BadInput where the file cannot be read.
+/// The printed table; throws console::Failed where the file cannot be read.
 std::vector<Line> printed_lines() {
   constexpr std::array columns{console::CsvColumn{"dN", "", true}, console::CsvColumn{"dt", "s", true},
                                console::CsvColumn{"overlap", "m", true}, console::CsvColumn{"velocity", "m/s", true},
@@ -50,7 +50,7 @@ std::vector<Line> printed_lines() {
 }
 
 FractionalTrajectory trajectory(double density) {
-  return {law.coefficient(), law.alpha(), impact_of(density).mass_eff, velocity};
+  return {law.coefficient(), law.alpha(), steel.impact(density).mass_eff, steel.velocity};
 }
 
 double exact_tcol(double density) { return fractional_contact(law.alpha()).tau * trajectory(density).time_scale(); }
@@ -63,7 +63,7 @@ State exact_state(double density, double time) {
 /// The state after `steps` steps that end at `time`.
 State stepped_state(FractionalScheme scheme, double density, double time, int steps) {
   const FractionalSolverOptions options{.step = time / steps, .end_time = time};
-  const Instant end = solve_collision(scheme, law, impact_of(density), options).path.back();
+  const Instant end = solve_collision(scheme, law, steel.impact(density), options).path.back();
   return {end.overlap, end.rate, end.force};
 }
 
@@ -79,7 +79,7 @@ std::vector<Row> rows_of(const std::vector<Line>& lines) {
   std::vector<Row> rows;
   for (const double density : densities)
     for (const bool printed : {true, false}) {
-      const double time = printed ? printed_tcol : exact_tcol(density);
+      const double time = printed ? steel.tcol : exact_tcol(density);
       for (const Line& line : lines) {
         const State exact = exact_state(density, time);
         Row row{density, time, printed, line, exact, exact, exact};
@@ -142,9 +142,10 @@ Json rows_json(const std::vector<Row>& rows) {
 double distance(const State& a, const State& b, double density) {
   const FractionalContact contact = fractional_contact(law.alpha());
   const double tcol = exact_tcol(density);
-  return std::max({std::fabs(a.overlap - b.overlap) / (contact.max_overlap * velocity * tcol),
-                   std::fabs(a.rate - b.rate) / velocity,
-                   std::fabs(a.force - b.force) / (contact.max_force * impact_of(density).mass_eff * velocity / tcol)});
+  return std::max(
+      {std::fabs(a.overlap - b.overlap) / (contact.max_overlap * steel.velocity * tcol),
+       std::fabs(a.rate - b.rate) / steel.velocity,
+       std::fabs(a.force - b.force) / (contact.max_force * steel.impact(density).mass_eff * steel.velocity / tcol)});
 }
 
 /// Order of a scheme at the exact collision time: the distance to the exact state for 320 … 2560 steps.
@@ -159,15 +160,53 @@ bool within(double value, double printed, double last_digit) { return std::fabs(
 
 /// Do a density's exact t_col and estimate (57) round to the printed 38.6 and 37.8 µs?
 bool prints_times(double density) {
-  const double coefficient = law.coefficient() / impact_of(density).mass_eff;
-  return within(exact_tcol(density), 38.6e-6, 0.1e-6) &&
-         within(tcol_estimate(coefficient, law.alpha()), 37.8e-6, 0.1e-6);
+  const double coefficient = law.coefficient() / steel.impact(density).mass_eff;
+  return within(exact_tcol(density), steel.tcol, steel.last_digit) &&
+         within(tcol_estimate(coefficient, law.alpha()), steel.tcol_estimate, steel.last_digit);
 }
 
 /// Does its exact overlap and velocity at the end round to the printed limit?
 bool prints_end(double density, const State& paper) {
   const State s = exact_state(density, exact_tcol(density));
   return within(s.overlap, paper.overlap, 1e-11) && within(s.rate, paper.rate, 1e-5);
+}
+
+struct Orders {
+  double literal, best;  ///< of (59) as written and of the arms' exponential step
+  double paper;          ///< of the paper's digits, from 5 to 20 steps
+};
+
+Orders orders_of(const std::vector<Line>& lines) {
+  const State limit = lines.back().paper;
+  const double at_20 = distance(lines[1].paper, limit, densities[0]);
+  const double at_5 = distance(lines[0].paper, limit, densities[0]);
+  return {order_of(FractionalScheme::rectangle), order_of(FractionalScheme::arms_exponential),
+          std::log(at_5 / at_20) / std::log(4.0)};
+}
+
+std::vector<Gate> gates(const Orders& orders) {
+  std::vector<Gate> all{holds("7850 kg/m3 prints t_col = 38.6e-6 s and (57) = 37.8e-6 s", prints_times(steel.density)),
+                        holds("7680 kg/m3 does not", !prints_times(steel.other_density)),
+                        near("order of (59) as written, at the exact t_col", orders.literal, 1, 0.1),
+                        near("order of the arms' exponential step", orders.best, 2, 0.1)};
+  for (const double density : densities) {
+    const double rate = exact_state(density, exact_tcol(density)).rate;
+    all.push_back(at_most(fmt::format("exact velocity at t_col is -e_n v0, {} kg/m3", density),
+                          std::fabs(rate + steel.velocity * fractional_contact(law.alpha()).en), 1e-12));
+  }
+  return all;
+}
+
+std::string verdict(const Orders& orders) {
+  const auto overlap = [](double density) { return 1e6 * exact_state(density, exact_tcol(density)).overlap; };
+  std::string reproduces;
+  for (const double density : densities)
+    reproduces += fmt::format("{}{} {}", reproduces.empty() ? "" : ", ", density,
+                              prints_times(density) ? "kg/m3 reproduces the printed times" : "kg/m3 does not");
+  return fmt::format(
+      "{}; the exact overlap at the exact t_col is {:.5f} (7850) and {:.5f} (7680), printed 3.94422 (1e-6 m). (59) as "
+      "written is of order {:.2f}; the paper's own digits fall from 5 to 20 steps like order {:.1f}.",
+      reproduces, overlap(steel.density), overlap(steel.other_density), orders.literal, orders.paper);
 }
 
 class Table1 : public Study {
@@ -180,37 +219,17 @@ class Table1 : public Study {
   StudyResult run(const RunOptions&) override {
     const std::vector<Line> lines = printed_lines();
     const std::vector<Row> rows = rows_of(lines);
-    const State limit = lines.back().paper;
-    const double literal = order_of(FractionalScheme::rectangle), best = order_of(FractionalScheme::arms_exponential);
-    const double paper20 = distance(lines[1].paper, limit, densities[0]),
-                 paper5 = distance(lines[0].paper, limit, densities[0]);
-
+    const Orders orders = orders_of(lines);
     StudyResult result;
     result.tables.push_back(table_of(rows));
     result.rows = rows_json(rows);
-    result.gates = {holds("7850 kg/m3 prints t_col = 38.6e-6 s and (57) = 37.8e-6 s", prints_times(7850)),
-                    holds("7680 kg/m3 does not", !prints_times(7680)),
-                    near("order of (59) as written, at the exact t_col", literal, 1, 0.1),
-                    near("order of the arms' exponential step", best, 2, 0.1)};
-    for (const double density : densities) {
-      const State s = exact_state(density, exact_tcol(density));
-      result.gates.push_back(at_most("exact velocity at t_col is -e_n v0, " + console::shortest(density) + " kg/m3",
-                                     std::fabs(s.rate + velocity * fractional_contact(law.alpha()).en), 1e-12));
-    }
-    result.extra["order_of_59"] = literal;
-    result.extra["order_of_paper_digits_5_to_20"] = std::log(paper5 / paper20) / std::log(4.0);
-    result.extra["end_rounds_to_print"] = {{"7850", prints_end(7850, limit)}, {"7680", prints_end(7680, limit)}};
-    const auto overlap = [](double density) {
-      return console::fixed(1e6 * exact_state(density, exact_tcol(density)).overlap, 5);
-    };
-    std::string reproduces;
-    for (const double density : densities)
-      reproduces += (reproduces.empty() ? "" : ", ") + console::shortest(density) +
-                    (prints_times(density) ? " kg/m3 reproduces the printed times" : " kg/m3 does not");
-    result.verdict = reproduces + "; the exact overlap at the exact t_col is " + overlap(7850) + " (7850) and " +
-                     overlap(7680) + " (7680), printed 3.94422 (1e-6 m). (59) as written is of order " +
-                     console::fixed(literal, 2) + "; the paper's own digits fall from 5 to 20 steps like order " +
-                     console::fixed(std::log(paper5 / paper20) / std::log(4.0), 1) + ".";
+    result.gates = gates(orders);
+    result.extra["order_of_59"] = orders.literal;
+    result.extra["order_of_paper_digits_5_to_20"] = orders.paper;
+    const State& limit = lines.back().paper;
+    result.extra["end_rounds_to_print"] = {{"7850", prints_end(steel.density, limit)},
+                                           {"7680", prints_end(steel.other_density, limit)}};
+    result.verdict = verdict(orders);
     return result;
   }
 };

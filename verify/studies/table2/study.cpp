@@ -1,12 +1,16 @@
+#include "../paper.hpp"
+
 #include <verify/registry.hpp>
 
 #include <calibrate/calibration.hpp>
 #include <console/csv.hpp>
-#include <console/number.hpp>
+#include <console/exit.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <array>
 
 namespace ricochet::verify {
 
@@ -18,7 +22,7 @@ using console::Json;
 using console::Notation;
 using console::Table;
 
-constexpr calibration::Target target{1e-4, 0.5, {0.5, 7.06858e-6}};
+constexpr calibration::Target target{paper::pair.tcol, paper::pair.en, paper::pair.impact};
 constexpr double greatest_deviation = 3e-3;  ///< of the printed coefficients from the exact ones, relative
 constexpr double hit = 1e-10;                ///< of the target by ours, relative
 
@@ -44,7 +48,8 @@ std::vector<Row> printed_rows() {
     const auto kind = LawKind::named(file.text(1));
     if (!kind) throw console::Failed("table2.csv: law = " + std::string(file.text(1)) + ": must be one of the laws");
     if (rows.empty() || rows.back().name != file.text(0))
-      rows.push_back({std::string(file.text(0)), *kind, file.text(2) == "force" ? ContactEnd::force : ContactEnd::overlap});
+      rows.push_back(
+          {std::string(file.text(0)), *kind, file.text(2) == "force" ? ContactEnd::force : ContactEnd::overlap});
     rows.back().paper.push_back({std::string(file.text(3)), file.number(4), ""});
   }
   return rows;
@@ -144,10 +149,25 @@ Json rows_json(const std::vector<Row>& rows) {
 double overlap_end_moved() {
   double end[2] = {};
   for (const int i : {0, 1}) {
-    const calibration::Request request{kind_of<Fractional>, ContactEnd::force, target, i ? 5 * 5225.0 : 5225.0};
+    const calibration::Request request{kind_of<Fractional>, ContactEnd::force, target,
+                                       (i ? 5 : 1) * paper::table2.fractional.k};
     end[i] = std::get<Calibration>(calibration::calibrate(request)).achieved.overlap_end;
   }
   return deviation(end[1], end[0]);
+}
+
+std::vector<Remark> remarks(double greatest, double greatest_miss, double moved) {
+  using console::significant;
+  return {{"Table II, coefficients",
+           fmt::format("The printed coefficients differ from the exact ones by up to {} % and miss t_col = 1e-4 s or "
+                       "e_n = 0.5 by up to {} %.",
+                       significant(100 * greatest, 2), significant(100 * greatest_miss, 2))},
+          {"Remark under Fig. 5, end overlaps",
+           fmt::format("Other sets of coefficients are said to give other overlaps at the end of the collision. For "
+                       "one (t_col, e_n) they do not: with k five times as great and c to match, the end overlap moves "
+                       "by a share of {:.0e}. α follows from e_n alone, and c^α k^(1−α) from t_col; nothing is left to "
+                       "choose.",
+                       moved)}};
 }
 
 class Table2 : public Study {
@@ -174,24 +194,15 @@ class Table2 : public Study {
     result.gates.push_back(
         at_most("fractional: another (k, c) for the same target moves the end overlap by, relative", moved, hit));
     result.tables = {coefficients(rows), outcomes(rows)};
-    result.remarks = {
-        {"Table II, coefficients", "The printed coefficients differ from the exact ones by up to " +
-                                       console::significant(100 * greatest, 2) +
-                                       " % and miss t_col = 1e-4 s or e_n = 0.5 by up to " +
-                                       console::significant(100 * greatest_miss, 2) + " %."},
-        {"Remark under Fig. 5, end overlaps",
-         "Other sets of coefficients are said to give other overlaps at the end of the collision. For one (t_col, e_n) "
-         "they do not: with k five times as great and c to match, the end overlap moves by a share of " +
-             console::scientific(moved, 0) +
-             ". α follows from e_n alone, and c^α k^(1−α) from t_col; nothing is left to choose."}};
+    result.remarks = remarks(greatest, greatest_miss, moved);
     result.rows = rows_json(rows);
     result.extra["target"] = {{"tcol", target.tcol},
                               {"en", target.en},
                               {"velocity", target.impact.velocity},
                               {"mass_eff", target.impact.mass_eff}};
-    result.verdict = "The printed coefficients are within " + console::significant(100 * greatest, 2) +
-                     " % of the exact ones and miss the target by up to " +
-                     console::significant(100 * greatest_miss, 2) + " %.";
+    result.verdict =
+        fmt::format("The printed coefficients are within {} % of the exact ones and miss the target by up to {} %.",
+                    console::significant(100 * greatest, 2), console::significant(100 * greatest_miss, 2));
     return result;
   }
 };

@@ -1,7 +1,11 @@
+#include "../paper.hpp"
+
 #include <verify/registry.hpp>
 
 #include <console/number.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,27 +25,21 @@ constexpr int steps = 970;
 /// (57) over the exact time at A = 1; the ratio does not depend on A, which only sets the unit of time.
 double ratio(double alpha) { return tcol_estimate(1, alpha) / fractional_contact(alpha).tau; }
 
-/// The paper's Fig. 2: a steel sphere on a plate.
-struct Fig2 {
-  double radius = 3e-3;  // m
-  double k = 4615380;    // kg/s²
-  double c = 128.1;      // kg/s
-  double alpha = 0.2;
-  double printed_exact = 38.6e-6;     // s
-  double printed_estimate = 37.8e-6;  // s
-  double rounding = 0.05e-6;          // s: half a unit of the last printed digit
+// The paper's Fig. 2, by the density of its sphere.
+using paper::steel;
+constexpr double rounding = steel.last_digit / 2;
 
-  double coefficient(double density) const {
-    const double mass = density * 4 / 3 * std::numbers::pi * std::pow(radius, 3);
-    return std::pow(c, alpha) * std::pow(k, 1 - alpha) / mass;
-  }
-  double exact(double density) const {
-    return fractional_contact(alpha).tau * std::pow(coefficient(density), -1 / (2 - alpha));
-  }
-  double estimate(double density) const { return tcol_estimate(coefficient(density), alpha); }
-  /// (57) with the correction 1.641 taken plainly, not to the power 1−α: the other way to read the print.
-  double plain_estimate(double density) const { return estimate(density) * std::pow(1.641, alpha / (2 - alpha)); }
-};
+double coefficient(double density) {
+  return std::pow(steel.c, steel.alpha) * std::pow(steel.k, 1 - steel.alpha) / steel.impact(density).mass_eff;
+}
+double exact(double density) {
+  return fractional_contact(steel.alpha).tau * std::pow(coefficient(density), -1 / (2 - steel.alpha));
+}
+double estimate(double density) { return tcol_estimate(coefficient(density), steel.alpha); }
+/// (57) with the correction 1.641 taken plainly, not to the power 1−α: the other way to read the print.
+double plain_estimate(double density) {
+  return estimate(density) * std::pow(paper::estimate_factor, steel.alpha / (2 - steel.alpha));
+}
 
 Table over_alpha() {
   const Notation six{Notation::Kind::fixed, 6};
@@ -60,14 +58,13 @@ Table over_alpha() {
   return table;
 }
 
-Table readings(const Fig2& figure) {
+Table readings() {
   const Notation four{Notation::Kind::fixed, 3};
   Table table(
       {{"density", "kg/m³"}, {"exact", "µs", four}, {"estimate", "µs", four}, {"estimate, plain 1.641", "µs", four}},
       "The case of Fig. 2, whose density is printed as 7680 or 7850; the text has 38.6 and 37.8 µs");
-  for (const double density : {7680.0, 7850.0})
-    table.row(
-        {density, 1e6 * figure.exact(density), 1e6 * figure.estimate(density), 1e6 * figure.plain_estimate(density)});
+  for (const double density : {steel.other_density, steel.density})
+    table.row({density, 1e6 * exact(density), 1e6 * estimate(density), 1e6 * plain_estimate(density)});
   return table;
 }
 
@@ -108,17 +105,36 @@ console::Figure drawing(const Table& table) {
           {{"tcol.csv", table.csv()}}};
 }
 
-std::vector<Remark> remarks(const Fig2& figure) {
-  const auto micro = [](double seconds) { return console::fixed(1e6 * seconds, 2) + " µs"; };
+std::vector<Remark> remarks() {
   return {
-      {"Table I, density of Fig. 2", "Reads 7680 or 7850 kg/m³. 7850 gives a collision time of " +
-                                         micro(figure.exact(7850)) + " and an estimate (57) of " +
-                                         micro(figure.estimate(7850)) + ", as printed (38.6 and 37.8 µs); 7680 gives " +
-                                         micro(figure.exact(7680)) + " and " + micro(figure.estimate(7680)) + "."},
-      {"Eq. (57)", "The exponent of 1.641 is not legible. With 1−α the estimate for Fig. 2 is " +
-                       micro(figure.estimate(7850)) +
-                       ", below the exact time, as the text says; with 1.641 taken plainly it would be " +
-                       micro(figure.plain_estimate(7850)) + ", above it."}};
+      {"Table I, density of Fig. 2",
+       fmt::format("Reads 7680 or 7850 kg/m³. 7850 gives a collision time of {:.2f} µs and an estimate (57) of {:.2f} "
+                   "µs, as printed (38.6 and 37.8 µs); 7680 gives {:.2f} µs and {:.2f} µs.",
+                   1e6 * exact(steel.density), 1e6 * estimate(steel.density), 1e6 * exact(steel.other_density),
+                   1e6 * estimate(steel.other_density))},
+      {"Eq. (57)", fmt::format("The exponent of 1.641 is not legible. With 1−α the estimate for Fig. 2 is {:.2f} µs, "
+                               "below the exact time, as the text says; with 1.641 taken plainly it would be {:.2f} "
+                               "µs, above it.",
+                               1e6 * estimate(steel.density), 1e6 * plain_estimate(steel.density))}};
+}
+
+std::vector<Gate> gates(const Curve& curve) {
+  const double at_zero = std::sqrt(6 * paper::estimate_factor) / std::numbers::pi;
+  const double eps = std::numeric_limits<double>::epsilon();
+  return {// Γ(4) = 6 and the spring's π; a handful of roundings in pow, tgamma and the root.
+          near("ratio at alpha = 0 is sqrt(6*1.641)/pi", ratio(0), at_zero, 8 * eps),
+          near("greatest ratio is that of alpha = 0: an underestimate throughout", curve.greatest, at_zero, 8 * eps),
+          at_most("greatest rise of the ratio with alpha", curve.steepest_up, 0),
+          // t_col has 1e-12; the force falls through zero with a slope of the order of max_force/t_col.
+          at_most("force left at the exact time, over the greatest", curve.force_left, 1e-11),
+          near("Fig. 2, 7850 kg/m³: exact time is the printed 38.6 µs", 1e6 * exact(steel.density), 1e6 * steel.tcol,
+               1e6 * rounding),
+          near("Fig. 2, 7850 kg/m³: estimate is the printed 37.8 µs", 1e6 * estimate(steel.density),
+               1e6 * steel.tcol_estimate, 1e6 * rounding),
+          at_least("Fig. 2, 7680 kg/m³: exact time misses the print by more than its rounding [µs]",
+                   1e6 * (steel.tcol - exact(steel.other_density)), 1e6 * rounding),
+          at_least("plain 1.641 would overestimate, against the text: ratio in Fig. 2",
+                   plain_estimate(steel.density) / exact(steel.density), 1)};
 }
 
 class Tcol : public Study {
@@ -129,38 +145,22 @@ class Tcol : public Study {
   }
 
   StudyResult run(const RunOptions&) override {
-    const Fig2 figure;
-    const double density = 7850;
     const Curve curve = follow();
-    const double at_zero = std::sqrt(6 * 1.641) / std::numbers::pi;
-    const double eps = std::numeric_limits<double>::epsilon();
     StudyResult result;
-    result.tables = {over_alpha(), readings(figure)};
-    result.gates = {
-        // Γ(4) = 6 and the spring's π; a handful of roundings in pow, tgamma and the root.
-        near("ratio at alpha = 0 is sqrt(6*1.641)/pi", ratio(0), at_zero, 8 * eps),
-        near("greatest ratio is that of alpha = 0: an underestimate throughout", curve.greatest, at_zero, 8 * eps),
-        at_most("greatest rise of the ratio with alpha", curve.steepest_up, 0),
-        // t_col has 1e-12; the force falls through zero with a slope of the order of max_force/t_col.
-        at_most("force left at the exact time, over the greatest", curve.force_left, 1e-11),
-        near("Fig. 2, 7850 kg/m³: exact time is the printed 38.6 µs", 1e6 * figure.exact(density),
-             1e6 * figure.printed_exact, 1e6 * figure.rounding),
-        near("Fig. 2, 7850 kg/m³: estimate is the printed 37.8 µs", 1e6 * figure.estimate(density),
-             1e6 * figure.printed_estimate, 1e6 * figure.rounding),
-        at_least("Fig. 2, 7680 kg/m³: exact time misses the print by more than its rounding [µs]",
-                 1e6 * (figure.printed_exact - figure.exact(7680)), 1e6 * figure.rounding),
-        at_least("plain 1.641 would overestimate, against the text: ratio in Fig. 2",
-                 figure.plain_estimate(density) / figure.exact(density), 1)};
+    result.tables = {over_alpha(), readings()};
+    result.gates = gates(curve);
     result.figures = {drawing(result.tables[0])};
-    result.figures[0].finding = "The ratio starts at " + console::significant(ratio(0), 4) + ", falls throughout, is " +
-                                console::significant(ratio(0.5), 3) + " at α = 0.5 and " +
-                                console::significant(ratio(largest_alpha), 2) +
-                                " at 0.97: (57) is good for weakly dissipative grains and always too short.";
-    result.remarks = remarks(figure);
-    result.verdict = "(57) underestimates by " + console::significant(100 * (1 - ratio(0)), 2) +
-                     " % at alpha = 0, by " + console::significant(100 * (1 - ratio(0.5)), 2) + " % at 0.5 and by " +
-                     console::significant(100 * (1 - ratio(largest_alpha)), 2) +
-                     " % at 0.97; it is within 1 % up to alpha = " + console::fixed(curve.one_percent, 3) + ".";
+    using console::significant;
+    result.figures[0].finding = fmt::format(
+        "The ratio starts at {}, falls throughout, is {} at α = 0.5 and {} at 0.97: (57) is good for "
+        "weakly dissipative grains and always too short.",
+        significant(ratio(0), 4), significant(ratio(0.5), 3), significant(ratio(largest_alpha), 2));
+    result.remarks = remarks();
+    const auto below = [](double alpha) { return significant(100 * (1 - ratio(alpha)), 2); };
+    result.verdict = fmt::format(
+        "(57) underestimates by {} % at alpha = 0, by {} % at 0.5 and by {} % at 0.97; it is within 1 % up to alpha = "
+        "{:.3f}.",
+        below(0), below(0.5), below(largest_alpha), curve.one_percent);
     return result;
   }
 };

@@ -1,18 +1,13 @@
 #pragma once
 
+#include "shares.hpp"
+
 #include <console/plot.hpp>
 
-#include <optional>
-#include <string>
+#include <cstddef>
 #include <vector>
 
-namespace ricochet::verify {
-
-/// One curve of shares; nothing where there is none.
-struct ShareCurve {
-  std::string id;
-  std::vector<std::optional<double>> share;
-};
+namespace ricochet::verify::column {
 
 /// Dissipated share against the number of beads (Fig. 6).
 console::Figure share_figure(const std::vector<std::size_t>& beads, const std::vector<ShareCurve>& curves);
@@ -20,4 +15,4 @@ console::Figure share_figure(const std::vector<std::size_t>& beads, const std::v
 /// Dissipated share of `beads` beads against their gap [m].
 console::Figure gap_figure(std::size_t beads, const std::vector<double>& gaps, const std::vector<ShareCurve>& curves);
 
-}  // namespace ricochet::verify
+}  // namespace ricochet::verify::column

@@ -1,8 +1,10 @@
-#include "figure.hpp"
+#include "figures.hpp"
 
 #include <console/number.hpp>
 
-namespace ricochet::verify {
+#include <fmt/format.h>
+
+namespace ricochet::verify::column {
 
 namespace {
 
@@ -12,7 +14,8 @@ std::string csv(const std::string& abscissa, const std::vector<double>& x, const
   text += "\n";
   for (std::size_t i = 0; i < x.size(); ++i) {
     text += console::shortest(x[i]);
-    for (const ShareCurve& curve : curves) text += curve.share[i] ? "," + console::shortest(*curve.share[i]) : ",";
+    for (const ShareCurve& curve : curves)
+      text += fmt::format(",{}", curve.share[i] ? console::shortest(*curve.share[i]) : "");
     text += "\n";
   }
   return text;
@@ -35,10 +38,10 @@ std::string styled(const std::string& id) {
                               {"fractional alpha(nc)", "#D55E00", 5}};
   for (const Style& s : styles)
     if (id == s.id) {
-      if (s.point == 0) return std::string("with lines lw 2.5 lc rgb '") + s.colour + "'";
+      if (s.point == 0) return fmt::format("with lines lw 2.5 lc rgb '{}'", s.colour);
       const bool fitted = id == "fractional alpha(nc)";
-      return std::string(fitted ? "with points" : "with linespoints lw 1.4") + " lc rgb '" + s.colour + "' pt " +
-             std::to_string(s.point) + " ps " + (fitted ? "1.0" : "0.8");
+      return fmt::format("{} lc rgb '{}' pt {} ps {}", fitted ? "with points" : "with linespoints lw 1.4", s.colour,
+                         s.point, fitted ? "1.0" : "0.8");
     }
   return "with linespoints";
 }
@@ -54,8 +57,8 @@ std::string title(const std::string& id) {
 std::string plot(const std::string& file, const std::vector<ShareCurve>& curves) {
   std::string script = "plot ";
   for (std::size_t i = 0; i < curves.size(); ++i)
-    script += (i ? ", \\\n  " : "") + ("'" + file + "' skip 1 using 1:" + std::to_string(i + 2) + " " +
-                                       styled(curves[i].id) + " title \"" + title(curves[i].id) + '"');
+    script += fmt::format("{}'{}' skip 1 using 1:{} {} title \"{}\"", i ? ", \\\n  " : "", file, i + 2,
+                          styled(curves[i].id), title(curves[i].id));
   return script + "\n";
 }
 
@@ -68,14 +71,15 @@ console::Figure share_figure(const std::vector<std::size_t>& beads, const std::v
   const bool wide = beads.back() > 100;
   std::string script = common;
   script += "set xlabel 'number of beads n_c'\n";
-  script += wide ? "set logscale x\nset xrange [1:" + std::to_string(beads.back()) + "]\n"
-                 : "set xrange [0:" + std::to_string(beads.back() + 1) + "]\n";
+  script += wide ? fmt::format("set logscale x\nset xrange [1:{}]\n", beads.back())
+                 : fmt::format("set xrange [0:{}]\n", beads.back() + 1);
   // Left the whole range, right the laws that detach, drawn larger.
   const std::string drawn = plot("column-share.csv", curves);
-  script += "set multiplot\nunset key\nset size 0.40, 1\nset origin 0, 0\nset title 'all'\n" + drawn +
-            "set size 0.60, 1\nset origin 0.40, 0\nset title 'the same, enlarged'\nunset ylabel\nset yrange [0:0.25]\n"
-            "set key outside right center reverse Left spacing 1.3\n" +
-            drawn + "unset multiplot\n";
+  script += fmt::format(
+      "set multiplot\nunset key\nset size 0.40, 1\nset origin 0, 0\nset title 'all'\n{}"
+      "set size 0.60, 1\nset origin 0.40, 0\nset title 'the same, enlarged'\nunset ylabel\nset yrange [0:0.25]\n"
+      "set key outside right center reverse Left spacing 1.3\n{}unset multiplot\n",
+      drawn, drawn);
   return {.name = "column-share",
           .caption =
               "Dissipated share (62) of a column of beads that falls on a plate, against the number of beads; "
@@ -92,12 +96,13 @@ console::Figure gap_figure(std::size_t beads, const std::vector<double>& gaps, c
       "set xlabel 'gap between the beads [m]'\nset logscale x\nset xrange [1e-8:1e-2]\nset format x '10^{%L}'\n"
       "set key outside right center reverse Left spacing 1.3\n";
   return {.name = "column-gap",
-          .caption = "Dissipated share (62) of " + std::to_string(beads) +
-                     " beads against the gap between them: from detachment to single collisions.",
+          .caption = fmt::format("Dissipated share (62) of {} beads against the gap between them: from detachment to "
+                                 "single collisions.",
+                                 beads),
           .script = script + plot("column-gap.csv", curves),
           .data = {{"column-gap.csv", csv("gap [m]", gaps, curves)}},
           .width = 900,
           .height = 480};
 }
 
-}  // namespace ricochet::verify
+}  // namespace ricochet::verify::column

@@ -1,0 +1,117 @@
+#include "contacts.hpp"
+
+#include <calibrate/calibration.hpp>
+#include <console/number.hpp>
+#include <ricochet/collision/peer_damping.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ricochet::verify::engines {
+
+using calibration::Engine;
+
+namespace {
+
+AnyLaw calibrated(LawKind law, ContactEnd end, double en) {
+  const calibration::Request request{law, end, {tcol, en, {pair.velocity, pair.mass_eff()}}};
+  return std::get<calibration::Calibration>(calibration::calibrate(request, {.method = calibration::Method::direct}))
+      .law;
+}
+
+/// Every law that the engine can be given, as `calibrate --export` writes it.
+void add_exports(std::vector<Contact>& contacts, Engine engine) {
+  for (const double en : {0.5, 0.9})
+    for (const LawKind law : LawKind::all())
+      for (const auto end : {ContactEnd::overlap, ContactEnd::force}) {
+        if (!law.ends().offer(end)) continue;
+        const calibration::ExportCase what{.law = calibrated(law, end, en),
+                                           .end = end,
+                                           .tcol = tcol,
+                                           .en = en,
+                                           .impact = {pair.velocity, pair.mass_eff()},
+                                           .radius_eff = pair.radius_eff(),
+                                           .density = pair.density};
+        const auto snippet = calibration::export_law(engine, what);
+        if (snippet.fidelity == calibration::Fidelity::absent) continue;
+        const bool exact = snippet.fidelity == calibration::Fidelity::exact;
+        // A close snippet promises what it says it gives: another end of contact, or another law that meets the target.
+        const bool other_end = snippet.gives.status == CollisionStatus::ended_by_force && end == ContactEnd::overlap;
+        const ContactEnd runs = other_end ? ContactEnd::force : end;
+        const bool repeatable = exact || other_end;
+        contacts.push_back({engine, "exported " + std::string(law.name()) + ", " + std::string(calibration::text(end)),
+                            snippet.text, runs, en, snippet.gives.en, snippet.gives.tcol,
+                            repeatable ? std::optional(what.law) : std::nullopt, law == kind_of<Fractional>});
+      }
+}
+
+const PeerDamping& peer(std::string_view id) {
+  const auto all = peer_dampings();
+  return *std::find_if(all.begin(), all.end(), [id](const PeerDamping& p) { return p.id == id; });
+}
+
+/// Contacts that the engine makes itself of e_n = 0.5 and Young's modulus 1e8 Pa.
+class OwnFormulas {
+ public:
+  explicit OwnFormulas(Engine engine) : engine_(engine) {}
+
+  void add(std::vector<Contact>& contacts, const char* id, const std::string& snippet) const {
+    const PeerDamping& p = peer(id);
+    const double beta = p.damping_ratio(asked), loss = -std::log(asked), m = pair.mass_eff();
+    const double hertz = young_eff * std::sqrt(pair.radius_eff());
+    const AnyLaw law = p.law == PeerLaw::tsuji
+                           ? AnyLaw(Tsuji(hertz, beta * std::sqrt(5 * m * hertz)))
+                           : AnyLaw(Linear(m * (std::numbers::pi * std::numbers::pi + loss * loss) / (tcol * tcol),
+                                           2 * m * loss / tcol));
+    contacts.push_back(
+        {engine_, fmt::format("own: {}", id), snippet, p.end, asked, restitution_of_damping(beta, p.end), 0, law});
+  }
+
+  static constexpr double asked = 0.5, nu = 0.3;
+  static constexpr double young_eff = 4.0 / 3.0 * 1e8 / (2 * (1 - nu * nu));  ///< 4/3 E* [Pa]
+
+ private:
+  Engine engine_;
+};
+
+void add_own_formulas(std::vector<Contact>& contacts, Engine engine) {
+  const OwnFormulas own(engine);
+  const std::string material =
+      "fix young all property/global youngsModulus peratomtype 1e8\n"
+      "fix nu all property/global poissonsRatio peratomtype 0.3\n"
+      "fix en all property/global coefficientRestitution peratomtypepair 1 0.5\n"
+      "pair_style gran model hertz tangential off limitForce ";
+  if (engine == Engine::lammps)
+    own.add(
+        contacts, "lammps tsuji 2021",
+        fmt::format("pair_style granular\npair_coeff * * hertz {} 0.5 damping tsuji tangential linear_nohistory 0.0 "
+                    "0.0\n",
+                    console::shortest(OwnFormulas::young_eff)));
+  if (engine == Engine::liggghts) {
+    own.add(contacts, "liggghts hertz", material + "off\npair_coeff * *\n");
+    own.add(contacts, "liggghts hertz, limited", material + "on\npair_coeff * *\n");
+  }
+  if (engine == Engine::yade) {
+    own.add(contacts, "yade tc-en",
+            "material = ViscElMat(tc=1e-4, en=0.5, et=1, frictionAngle=0)\n"
+            "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()\nlaw2 = Law2_ScGeom_ViscElPhys_Basic()\n");
+    own.add(contacts, "yade mindlin 2023",
+            "material = FrictMat(young=1e8, poisson=0.3, frictionAngle=0)\n"
+            "law2 = Law2_ScGeom_MindlinPhys_Mindlin()\n"
+            "ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, es=0.5)\n");
+  }
+}
+
+}  // namespace
+
+std::vector<Contact> contacts_of(Engine engine) {
+  std::vector<Contact> contacts;
+  add_exports(contacts, engine);
+  add_own_formulas(contacts, engine);
+  return contacts;
+}
+
+}  // namespace ricochet::verify::engines

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "../paper.hpp"
+#include "engine_run.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ricochet::verify::engines {
+
+inline constexpr double tcol = paper::pair.tcol;
+
+/// The two spheres of Table II.
+inline constexpr Encounter pair{.radius = paper::pair.radius,
+                                .density = paper::pair.density,
+                                .velocity = paper::pair.impact.velocity,
+                                .duration = 1.7 * tcol};
+
+/// A contact in an engine: what it is given and what shall come out when the step goes to zero.
+struct Contact {
+  calibration::Engine engine;
+  std::string name;  ///< "tsuji, force" or the engine's own input
+  std::string snippet;
+  ContactEnd end;  ///< which zero is timed
+  double en_asked;
+  double en, tcol;            ///< in the limit; tcol 0: not known
+  std::optional<AnyLaw> law;  ///< what the engine runs, where its stepping can be repeated with it
+  bool fractional = false;
+};
+
+/// What `calibrate --export` writes of every law that the engine can be given, and the engine's own way to ask for a
+/// restitution, against what `verify peers` says it gives.
+std::vector<Contact> contacts_of(calibration::Engine engine);
+
+}  // namespace ricochet::verify::engines

@@ -1,0 +1,76 @@
+#include "outcome.hpp"
+
+#include <console/exit.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet::verify::engines {
+
+namespace {
+
+/// Time of the first zero after the touch at `begin`: of the overlap between two instants; of the force beyond the last
+/// two that repel, because clipped forces have no sign to bracket.
+double end_of_contact(const Trajectory& path, double begin, ContactEnd end) {
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const Instant &a = path[i - 1], &b = path[i], &c = path[i + 1];
+    if (b.time <= begin) continue;
+    if (end == ContactEnd::overlap && b.overlap > 0 && c.overlap <= 0)
+      return b.time + (c.time - b.time) * b.overlap / (b.overlap - c.overlap);
+    if (end == ContactEnd::force && a.force > 0 && b.force > 0 && c.force <= 0)
+      return b.time + (b.time - a.time) * b.force / (a.force - b.force);
+  }
+  return begin;
+}
+
+Measured measure(const Trajectory& path, double step, ContactEnd end) {
+  const double begin = steps_before_touch * step;
+  return {-path.back().rate / pair.velocity, end_of_contact(path, begin, end) - begin};
+}
+
+/// What all three engines do: leapfrog, with the force at the new position and the velocity of half a step before. The
+/// lag makes damping, and so the restitution, first order in the step.
+template <class Law>
+Trajectory repeat_stepping(const Law& law, ContactEnd end, double step) {
+  Trajectory path;
+  double overlap = -steps_before_touch * step * pair.velocity, rate = pair.velocity;
+  for (long n = 0; n <= std::lround(pair.duration / step); ++n) {
+    double force = overlap > 0 ? law.force({overlap, rate}, {}) : 0;
+    if (end == ContactEnd::force) force = std::max(0.0, force);
+    path.push_back({static_cast<double>(n) * step, overlap, rate, force});
+    rate -= force / pair.mass_eff() * step;
+    overlap += rate * step;
+  }
+  return path;
+}
+
+std::optional<Trajectory> repeat_stepping(const AnyLaw& law, ContactEnd end, double step) {
+  if (const auto* l = std::get_if<Linear>(&law)) return repeat_stepping(*l, end, step);
+  if (const auto* l = std::get_if<KuwabaraKono>(&law)) return repeat_stepping(*l, end, step);
+  if (const auto* l = std::get_if<Tsuji>(&law)) return repeat_stepping(*l, end, step);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Outcome run(const EngineProgram& program, const Contact& what) {
+  std::vector<double> steps;
+  for (const int n : resolutions) steps.push_back(tcol / n);
+  Outcome outcome{.what = what, .at = {}};
+  const auto paths = program.run(what.snippet, pair, steps);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (paths[i].size() < 3) throw console::Failed(fmt::format("no trajectory came back of {}", what.name));
+    outcome.at.push_back(measure(paths[i], steps[i], what.end));
+    if (!what.law) continue;
+    if (const auto path = repeat_stepping(*what.law, what.end, steps[i]))
+      outcome.repeated = std::max(outcome.repeated.value_or(0),
+                                  std::abs(outcome.at[i].en / measure(*path, steps[i], what.end).en - 1));
+  }
+  const Measured &coarse = outcome.at[at_200], &fine = outcome.at[finest];
+  outcome.limit = {2 * fine.en - coarse.en, 2 * fine.tcol - coarse.tcol};
+  return outcome;
+}
+
+}  // namespace ricochet::verify::engines
