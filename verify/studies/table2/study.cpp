@@ -157,7 +157,7 @@ double overlap_end_moved() {
 }
 
 std::vector<Remark> remarks(double greatest, double greatest_miss, double moved) {
-  using console::significant;
+  using support::significant;
   return {{"Table II, coefficients",
            fmt::format("The printed coefficients differ from the exact ones by up to {} % and miss t_col = 1e-4 s or "
                        "e_n = 0.5 by up to {} %.",
@@ -202,7 +202,7 @@ class Table2 : public Study {
                               {"mass_eff", target.impact.mass_eff}};
     result.verdict =
         fmt::format("The printed coefficients are within {} % of the exact ones and miss the target by up to {} %.",
-                    console::significant(100 * greatest, 2), console::significant(100 * greatest_miss, 2));
+                    support::significant(100 * greatest, 2), support::significant(100 * greatest_miss, 2));
     return result;
   }
 };
