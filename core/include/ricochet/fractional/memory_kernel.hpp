@@ -25,11 +25,11 @@ struct Arm {
 ///
 /// What it promises, with k the true kernel, K its spring and arms, and δ = shortest(), T = longest():
 /// - on [δ, T]: |K(t) − k(t)| ≤ error()·k(t);
-/// - on (0, δ): ∫K + dashpot = ∫k to rounding, and ∫τK = ∫τk to 1e-3 of the error asked for, relative, where the
-///   exchange of points stops, and to rounding where that is finer than 1e-8. So the derivative of a function whose rate is linear over the last
-///   δ is exact but for error(): stepping with linear rates and steps ≥ δ is the product trapezoid rule, second order
-///   in the step; for any smooth rate what the dashpot misses is O(δ^{3−α}), and the impulse of a force that starts
-///   with a jump of the rate is right at once.
+/// - on (0, δ): ∫K + dashpot = ∫k to rounding, and ∫τK = ∫τk to 1e-3 of the tolerance asked for, relative (where the
+///   exchange of points stops; to rounding where that is 1e-10 or finer). So the derivative of a function whose rate
+///   is linear over the last δ is exact but for this and error(): stepping with linear rates and steps ≥ δ is the
+///   product trapezoid rule, second order in the step; for any smooth rate what the dashpot misses is O(δ^{3−α}), and
+///   the impulse of a force that starts with a jump of the rate is right at once.
 class MemoryKernel {
  public:
   double alpha() const noexcept { return alpha_; }
@@ -40,7 +40,8 @@ class MemoryKernel {
   std::span<const Arm> arms() const noexcept { return arms_; }
 
   /// Largest relative error on [δ, T] of the finished (rounded) coefficients: the highest top of all its waves, each
-  /// found by Newton's method, and the two ends; rounded up. K in exact arithmetic keeps it. Larger than the asked tolerance only if max_kernel_arms did not suffice.
+  /// found by Newton's method, and the two ends; rounded up. K in exact arithmetic keeps it. Larger than the asked
+  /// tolerance only if max_kernel_arms did not suffice.
   double error() const noexcept { return error_; }
 
   /// K(t), spring and arms, at t ≥ 0 [s].
