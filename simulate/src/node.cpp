@@ -69,6 +69,17 @@ double Node::not_negative() const {
   return number();
 }
 
+std::uint64_t Node::integer(std::uint64_t least, std::uint64_t most) const {
+  if (json_->is_number_unsigned() && json_->get<std::uint64_t>() >= least && json_->get<std::uint64_t>() <= most)
+    return json_->get<std::uint64_t>();
+  reject("an integer from " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+bool Node::yes_or_no() const {
+  if (!json_->is_boolean()) reject("true or false");
+  return json_->get<bool>();
+}
+
 std::string Node::text() const {
   if (!json_->is_string()) reject("a text");
   return json_->get<std::string>();

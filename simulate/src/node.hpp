@@ -3,13 +3,14 @@
 #include <console/json.hpp>
 #include <ricochet/contact/vec3.hpp>
 
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 
 namespace ricochet::simulate {
 
-/// A value of the scene that knows its place: every complaint names line, column and JSON path.
+/// A value of a scene or state file that knows its place: every complaint names line, column and JSON path.
 class Node {
  public:
   /// `text` is what `json` was parsed from; both outlive the node and its children.
@@ -31,6 +32,8 @@ class Node {
   double number() const;  ///< finite
   double positive() const;
   double not_negative() const;
+  std::uint64_t integer(std::uint64_t least, std::uint64_t most) const;
+  bool yes_or_no() const;
   std::string text() const;
   std::string one_of(std::initializer_list<std::string_view> accepted) const;
   Vec3 vector() const;  ///< [x, y, z]

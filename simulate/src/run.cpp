@@ -63,9 +63,9 @@ class Run {
   int go(const std::function<void()>& begun) {
     begun();
     report_kernel();
-    console::Progress progress("simulate", scene_.steps - cluster_.state().steps);
+    console::Progress progress("simulate", scene_.steps - cluster_.steps());
     auto saved = Clock::now();
-    while (cluster_.state().steps < scene_.steps) {
+    while (cluster_.steps() < scene_.steps) {
       if (const int signal = console::StopOnSignal::noted()) return save(false), report(), signal;
       step();
       progress.advance();
@@ -83,7 +83,7 @@ class Run {
       throw console::Failed("t = " + console::significant(cluster_.time(), 6) +
                             " s: the motion is no longer finite; a smaller \"step\" is needed. All before is written");
     for (const Encounter& e : cluster_.take_finished()) contacts_.append(contact_row(scene_, e));
-    const std::uint64_t done = cluster_.state().steps;
+    const std::uint64_t done = cluster_.steps();
     if (done % scene_.output_every == 0 || done == scene_.steps) output();
   }
 
@@ -96,7 +96,7 @@ class Run {
   }
 
   void report() const {
-    const ClusterState& s = cluster_.state();
+    const ClusterState s = cluster_.state();
     if (s.unconverged == 0) return;
     console::complain("simulate", std::to_string(s.unconverged) + " of " + std::to_string(s.steps) +
                                       " steps ended after " + std::to_string(scene_.options.max_sweeps) +
@@ -113,9 +113,8 @@ class Run {
 
   // Outputs first, then the state that says how long they are: whenever the program dies, the state fits.
   void save(bool complete) {
-    const Checkpoint c{
-        scene_.fingerprint, {trajectory_.flush(), contacts_.flush(), energy_.flush()}, complete, cluster_.state()};
-    console::write_atomically(state_path_, write_checkpoint(c));
+    const Checkpoint c{{trajectory_.flush(), contacts_.flush(), energy_.flush()}, complete, cluster_.state()};
+    console::write_atomically(state_path_, write_checkpoint(scene_, c));
   }
 
   const Scene& scene_;
@@ -139,9 +138,7 @@ int run(const Scene& scene, const std::string& folder, bool resume, const std::f
     if (error) throw console::BadInput("-o " + folder + ": cannot be made: " + error.message());
     return Run(scene, std::move(cluster), folder, {}).go(begun);
   }
-  const Checkpoint from = read_checkpoint(state, read_all(state));
-  if (from.fingerprint != scene.fingerprint)
-    throw console::BadInput(state + ": of another scene; must be of the one given");
+  const Checkpoint from = read_checkpoint(state, read_all(state), scene);
   if (from.complete) return 0;
   return Run(scene, prepared(scene), folder, from).go(begun);
 }

@@ -1,5 +1,6 @@
 #include <simulate/scene.hpp>
 
+#include "law.hpp"
 #include "node.hpp"
 
 #include <console/exit.hpp>
@@ -47,27 +48,6 @@ const Material& material_of(const Node& node, const Materials& materials) {
   node.reject("one of the materials " + known);
 }
 
-AnyLaw read_law(const Node& node) {
-  const std::string law = node.at("name").one_of({"linear", "kuwabara-kono", "tsuji", "hysteretic", "fractional"});
-  if (law == "hysteretic") {
-    node.allow({"name", "k1", "k2", "end"});
-    const double k1 = node.at("k1").positive(), k2 = node.at("k2").positive();
-    if (k1 > k2) node.at("k1").reject("at most k2");
-    return Hysteretic(k1, k2);
-  }
-  if (law == "fractional") {
-    node.allow({"name", "k", "c", "alpha", "end"});
-    const double alpha = node.at("alpha").number();
-    if (alpha < 0 || alpha > 1) node.at("alpha").reject("in [0, 1]");
-    return Fractional(node.at("k").positive(), node.at("c").positive(), alpha);
-  }
-  node.allow({"name", "k", "c", "end"});
-  const double k = node.at("k").positive(), c = node.at("c").not_negative();
-  if (law == "linear") return Linear(k, c);
-  if (law == "tsuji") return Tsuji(k, c);
-  return KuwabaraKono(k, c);
-}
-
 Friction read_friction(const Node& node) {
   node.allow({"mu_static", "mu_dynamic", "decay", "rolling_arm"});
   const double mu_static = node.at("mu_static").not_negative();
@@ -87,7 +67,6 @@ Interactions read_interactions(const Node& node, const Materials& materials) {
     const auto pair =
         std::minmax(material_of(between.at(0), materials).index, material_of(between.at(1), materials).index);
     const Node law = entry.at("law");
-    if (!law.json().is_object()) law.reject("an object with a law's name and parameters");
     Interaction interaction{read_law(law)};
     if (law.has("end") && law.at("end").one_of({"force", "overlap"}) == "overlap")
       interaction.end = ContactEnd::overlap;

@@ -1,9 +1,12 @@
 #include "state_file.hpp"
 
+#include "node.hpp"
+
 #include <console/exit.hpp>
 #include <console/json.hpp>
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
 #include <span>
 
 namespace ricochet::simulate {
@@ -11,8 +14,10 @@ namespace {
 
 using console::Json;
 
+constexpr const char* schema = "ricochet/state/2";
+constexpr auto any_integer = std::numeric_limits<std::int64_t>::max();
+
 Json json(double value) { return console::number_or_null(value); }  // only `never` is infinite
-double number(const Json& j) { return j.is_null() ? Encounter::never : j.get<double>(); }
 
 Json json(std::span<const double> values) {
   Json j = Json::array();
@@ -20,118 +25,189 @@ Json json(std::span<const double> values) {
   return j;
 }
 
-void read(const Json& j, std::span<double> values) {
-  for (std::size_t k = 0; k < values.size(); ++k) values[k] = number(j.at(k));
-}
-
 Json json(Vec3 v) { return {v.x, v.y, v.z}; }
-Vec3 vector(const Json& j) { return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()}; }
 
-Json json(const std::vector<Vec3>& vectors) {
+Json json(std::span<const Vec3> vectors) {
   Json j = Json::array();
   for (Vec3 v : vectors) j.push_back(json(v));
   return j;
 }
 
-std::vector<Vec3> vectors(const Json& j) {
-  std::vector<Vec3> all;
-  for (const Json& v : j) all.push_back(vector(v));
-  return all;
-}
-
-// A law's memory is told by the length of its array.
-Json json(const LawMemory& memory) {
-  if (const auto* m = std::get_if<FractionalArms::Memory>(&memory)) return json(std::span<const double>(m->elongation));
-  if (const auto* m = std::get_if<Hysteretic::Memory>(&memory)) return json(std::span(&m->max_overlap, 1));
-  return Json::array();
-}
-
-LawMemory memory(const Json& j) {
-  if (j.empty()) return NoMemory{};
-  if (j.size() == 1) return Hysteretic::Memory{number(j.at(0))};
-  FractionalArms::Memory m;
-  read(j, m.elongation);
-  return m;
-}
-
-Json json(const ContactState& c) {
+Json json(const ContactState& c, const ContactMemory& memory) {
   const Encounter& r = c.record;
   return {{"pair", {r.i, r.j}},
-          {"model", c.model},
-          {"fresh", c.fresh},
-          {"times", {json(r.begin), json(r.end), json(r.separation)}},
+          {"begin", r.begin},
+          {"end", json(r.end)},
           {"how", static_cast<int>(r.how)},
           {"phases", json(r.phase_begin)},
-          {"memory", json(c.memory)},
-          {"approach", {c.approach.overlap, c.approach.rate, c.force, c.lag}},
-          {"impulses", {c.normal_impulse, c.friction.torsion}},
+          {"law", memory.law},
+          {"memory", json(memory.values)},
+          {"overlap", c.approach.overlap},
+          {"rate", c.approach.rate},
+          {"force", c.force},
+          {"lag", c.lag},
+          {"impulse", c.normal_impulse},
           {"sliding", json(c.friction.sliding)},
+          {"torsion", c.friction.torsion},
           {"rolling", json(c.friction.rolling)},
           {"stored", c.stored},
           {"speed_scale", c.speed_scale}};
 }
 
-ContactState contact(const Json& j) {
+void expect_length(const Node& array, std::size_t length, const std::string& of_what) {
+  if (!array.json().is_array() || array.json().size() != length)
+    array.reject("an array of " + std::to_string(length) + " " + of_what);
+}
+
+double time_or_never(const Node& node) { return node.json().is_null() ? Encounter::never : node.not_negative(); }
+
+std::vector<Vec3> read_vectors(const Node& node, std::size_t count) {
+  expect_length(node, count, "vectors, one a sphere");
+  std::vector<Vec3> all;
+  for (std::size_t k = 0; k < count; ++k) all.push_back(node.at(k).vector());
+  return all;
+}
+
+// Bodies of a contact, in the order that contacts have: by i, then by j.
+void read_pair(const Node& node, const Scene& scene, Encounter& record) {
+  const std::size_t spheres = scene.setup.spheres.size(), bodies = spheres + scene.setup.walls.size();
+  expect_length(node, 2, "bodies");
+  record.i = static_cast<std::uint32_t>(node.at(0).integer(0, spheres - 1));
+  record.j = static_cast<std::uint32_t>(node.at(1).integer(record.i + std::uint64_t(1), bodies - 1));
+}
+
+void read_record(const Node& node, Encounter& r) {
+  r.begin = node.at("begin").not_negative();
+  r.end = time_or_never(node.at("end"));
+  if (r.end < r.begin) node.at("end").reject("null or a time from \"begin\" on");
+  const Node how = node.at("how");
+  r.how = static_cast<EncounterEnd>(r.end == Encounter::never ? how.integer(0, 0) : how.integer(1, 4));
+  const Node phases = node.at("phases");
+  expect_length(phases, phase_count, "times");
+  for (std::size_t k = 0; k < phase_count; ++k) r.phase_begin[k] = time_or_never(phases.at(k));
+}
+
+const NormalLaw& law_between(const Scene& scene, const Encounter& r) {
+  const auto& spheres = scene.setup.spheres;
+  const std::size_t a = spheres[r.i].material;
+  const std::size_t b = r.j < spheres.size() ? spheres[r.j].material : scene.setup.walls[r.j - spheres.size()].material;
+  return scene.setup.interactions.at(std::minmax(a, b)).law;
+}
+
+ContactMemory read_memory(const Node& node, const NormalLaw& law) {
+  const std::string name(law.name());
+  if (node.at("law").text() != name) node.at("law").reject("\"" + name + "\", as in the scene");
+  const Node memory = node.at("memory");
+  expect_length(memory, law.memory_size(), "numbers, the memory of the law \"" + name + "\"");
+  ContactMemory read{name, {}};
+  for (std::size_t k = 0; k < law.memory_size(); ++k) read.values.push_back(memory.at(k).number());
+  return read;
+}
+
+ContactState read_contact(const Node& node, const Scene& scene) {
+  node.allow({"pair", "begin", "end", "how", "phases", "law", "memory", "overlap", "rate", "force", "lag", "impulse",
+              "sliding", "torsion", "rolling", "stored", "speed_scale"});
   ContactState c;
-  c.record.i = j.at("pair").at(0), c.record.j = j.at("pair").at(1);
-  c.model = j.at("model");
-  c.fresh = j.at("fresh");
-  c.record.begin = number(j.at("times").at(0));
-  c.record.end = number(j.at("times").at(1));
-  c.record.separation = number(j.at("times").at(2));
-  c.record.how = static_cast<EncounterEnd>(j.at("how").get<int>());
-  read(j.at("phases"), c.record.phase_begin);
-  c.memory = memory(j.at("memory"));
-  std::array<double, 4> approach{};
-  read(j.at("approach"), approach);
-  c.approach = {approach[0], approach[1]}, c.force = approach[2], c.lag = approach[3];
-  c.normal_impulse = number(j.at("impulses").at(0));
-  c.friction = {vector(j.at("sliding")), number(j.at("impulses").at(1)), vector(j.at("rolling"))};
-  c.stored = number(j.at("stored"));
-  c.speed_scale = number(j.at("speed_scale"));
+  read_pair(node.at("pair"), scene, c.record);
+  read_record(node, c.record);
+  c.approach = {node.at("overlap").number(), node.at("rate").number()};
+  c.force = node.at("force").number();
+  c.lag = node.at("lag").positive();
+  if (c.lag > scene.options.step) node.at("lag").reject("at most the step");
+  c.normal_impulse = node.at("impulse").number();
+  c.friction = {node.at("sliding").vector(), node.at("torsion").number(), node.at("rolling").vector()};
+  c.stored = node.at("stored").number();
+  c.speed_scale = node.at("speed_scale").not_negative();
   return c;
 }
 
-constexpr const char* schema = "ricochet/state/1";
+void read_contacts(const Node& node, const Scene& scene, ClusterState& state) {
+  for (std::size_t k = 0; k < node.size(); ++k) {
+    const Node one = node.at(k);
+    state.contacts.push_back(read_contact(one, scene));
+    const Encounter& now = state.contacts[k].record;
+    if (now.begin > static_cast<double>(state.steps) * scene.options.step)
+      one.at("begin").reject("at most the time of the state");
+    if (k > 0) {
+      const Encounter& last = state.contacts[k - 1].record;
+      if (std::pair(last.i, last.j) >= std::pair(now.i, now.j))
+        one.at("pair").reject("after that of the contact before");
+    }
+    state.memories.push_back(read_memory(one, law_between(scene, now)));
+  }
+}
+
+ClusterState read_state(const Node& root, const Scene& scene) {
+  ClusterState s;
+  const std::size_t spheres = scene.setup.spheres.size(), bodies = spheres + scene.setup.walls.size();
+  s.steps = root.at("steps").integer(0, scene.steps);
+  s.half_positions = read_vectors(root.at("half_positions"), spheres);
+  s.velocities = read_vectors(root.at("velocities"), spheres);
+  s.spins = read_vectors(root.at("spins"), spheres);
+  s.velocities.resize(bodies);
+  s.spins.resize(bodies);
+  read_contacts(root.at("contacts"), scene, s);
+  s.lost_normal = root.at("lost_normal").number();
+  s.lost_friction = root.at("lost_friction").number();
+  s.long_range_work = root.at("long_range_work").number();
+  const Node solver = root.at("solver");
+  solver.allow({"unconverged_steps", "largest_change"});
+  s.unconverged = solver.at("unconverged_steps").integer(0, s.steps);
+  s.worst_change = solver.at("largest_change").not_negative();
+  return s;
+}
+
+// What tells another file, another version or another scene from a damaged state.
+void check_kind(const std::string& file, const Json& json, const Scene& scene) {
+  const auto text_of = [&](const char* key) {
+    return json.is_object() && json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
+  };
+  const std::string written = text_of("schema"), family = "ricochet/state/";
+  if (written.compare(0, family.size(), family) != 0)
+    throw console::BadInput(file + ": must be a state that simulate saved; start again without --resume");
+  if (written != schema)
+    throw console::BadInput(file + ": /schema = " + json["schema"].dump() + ": must be \"" + schema +
+                            "\", as this version of simulate saves; start again without --resume");
+  if (text_of("scene") != scene.fingerprint)
+    throw console::BadInput(file + ": of another scene; must be of the one given");
+}
 
 }  // namespace
 
-std::string write_checkpoint(const Checkpoint& c) {
-  Json contacts = Json::array();
-  for (const ContactState& contact : c.state.contacts) contacts.push_back(json(contact));
+std::string write_checkpoint(const Scene& scene, const Checkpoint& c) {
   const ClusterState& s = c.state;
+  Json contacts = Json::array();
+  for (std::size_t k = 0; k < s.contacts.size(); ++k) contacts.push_back(json(s.contacts[k], s.memories[k]));
+  const std::size_t spheres = s.half_positions.size();  // walls stand still
   const Json j = {{"schema", schema},
-                  {"scene", c.fingerprint},
+                  {"scene", scene.fingerprint},
                   {"lengths", c.lengths},
                   {"complete", c.complete},
                   {"steps", s.steps},
                   {"half_positions", json(s.half_positions)},
-                  {"velocities", json(s.velocities)},
-                  {"spins", json(s.spins)},
+                  {"velocities", json(std::span(s.velocities).first(spheres))},
+                  {"spins", json(std::span(s.spins).first(spheres))},
                   {"contacts", contacts},
-                  {"work", {s.lost_normal, s.lost_friction, s.long_range_work}},
+                  {"lost_normal", s.lost_normal},
+                  {"lost_friction", s.lost_friction},
+                  {"long_range_work", s.long_range_work},
                   {"solver", {{"unconverged_steps", s.unconverged}, {"largest_change", s.worst_change}}}};
   return j.dump() + "\n";
 }
 
-Checkpoint read_checkpoint(const std::string& file, const std::string& text) {
-  try {
-    const Json j = Json::parse(text);
-    if (j.at("schema") != schema) throw console::BadInput(file + ": must be of the schema " + std::string(schema));
-    Checkpoint c{j.at("scene"), j.at("lengths").get<std::array<std::uint64_t, 3>>(), j.at("complete"), {}};
-    c.state.steps = j.at("steps");
-    c.state.half_positions = vectors(j.at("half_positions"));
-    c.state.velocities = vectors(j.at("velocities"));
-    c.state.spins = vectors(j.at("spins"));
-    for (const Json& one : j.at("contacts")) c.state.contacts.push_back(contact(one));
-    c.state.lost_normal = j.at("work").at(0), c.state.lost_friction = j.at("work").at(1);
-    c.state.long_range_work = j.at("work").at(2);
-    c.state.unconverged = j.at("solver").at("unconverged_steps");
-    c.state.worst_change = j.at("solver").at("largest_change");
-    return c;
-  } catch (const Json::exception&) {
-    throw console::BadInput(file + ": must be a state that simulate saved; start again without --resume");
-  }
+Checkpoint read_checkpoint(const std::string& file, const std::string& text, const Scene& scene) {
+  const Json json = Json::parse(text, nullptr, false);
+  check_kind(file, json, scene);
+  const Node root(file, text, json);
+  root.allow({"schema", "scene", "lengths", "complete", "steps", "half_positions", "velocities", "spins", "contacts",
+              "lost_normal", "lost_friction", "long_range_work", "solver"});
+  Checkpoint c;
+  expect_length(root.at("lengths"), c.lengths.size(), "lengths");
+  for (std::size_t k = 0; k < c.lengths.size(); ++k) c.lengths[k] = root.at("lengths").at(k).integer(0, any_integer);
+  c.complete = root.at("complete").yes_or_no();
+  c.state = read_state(root, scene);
+  if (c.complete && c.state.steps != scene.steps) root.at("complete").reject("false before the last step");
+  return c;
 }
 
 }  // namespace ricochet::simulate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <ricochet/motion/cluster.hpp>
+#include <simulate/scene.hpp>
 
 #include <array>
 #include <cstdint>
@@ -10,16 +10,17 @@ namespace ricochet::simulate {
 
 /// Everything a run needs to go on: the cluster's state and how long each output was then, in bytes.
 struct Checkpoint {
-  std::string fingerprint;
   std::array<std::uint64_t, 3> lengths{};
   bool complete = false;
   ClusterState state;
 };
 
-/// As JSON; doubles in their shortest form that reads back to the same bits.
-std::string write_checkpoint(const Checkpoint& checkpoint);
+/// As JSON, with the scene's fingerprint; doubles in their shortest form that reads back to the same bits. Bodies count
+/// as in the scene, walls after the spheres; memories are the numbers of the law that is named.
+std::string write_checkpoint(const Scene& scene, const Checkpoint& checkpoint);
 
-/// Throws console::BadInput naming `file` if this is not one.
-Checkpoint read_checkpoint(const std::string& file, const std::string& text);
+/// Reads what was written for the same scene, every value checked against it. Throws console::BadInput with one line
+/// that names `file`, the place, the value and what is accepted.
+Checkpoint read_checkpoint(const std::string& file, const std::string& text, const Scene& scene);
 
 }  // namespace ricochet::simulate

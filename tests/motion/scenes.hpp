@@ -7,14 +7,14 @@
 
 namespace ricochet::test {
 
-inline ClusterSetup with_law(AnyLaw law, Friction friction = {}, ContactEnd end = ContactEnd::force) {
+inline ClusterSetup with_law(NormalLaw law, Friction friction = {}, ContactEnd end = ContactEnd::force) {
   ClusterSetup setup;
   setup.interactions.insert({{0, 0}, {std::move(law), friction, end}});
   return setup;
 }
 
 /// Spheres in a loose clump that fly towards its centre and spin: many collisions, several at once.
-inline ClusterSetup random_clump(unsigned seed, AnyLaw law, Friction friction, int count = 12) {
+inline ClusterSetup random_clump(unsigned seed, NormalLaw law, Friction friction, int count = 12) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> size(0.005, 0.012), offset(-0.0005, 0.0005), spin(-80, 80), side(-0.2, 0.2);
   ClusterSetup setup = with_law(std::move(law), friction);

@@ -33,6 +33,11 @@
 #include <ricochet/motion/engine/column_arms.hpp>
 #include <ricochet/motion/engine/column_engine.hpp>
 #include <ricochet/motion/engine/column_memory.hpp>
+#include <ricochet/motion/engine/implicit_force.hpp>
+#include <ricochet/motion/engine/memory_slots.hpp>
+#include <ricochet/motion/engine/normal_contacts.hpp>
 #include <ricochet/motion/event_driven_column.hpp>
 #include <ricochet/motion/linked_cells.hpp>
+#include <ricochet/motion/normal_law.hpp>
+#include <ricochet/motion/resolved_time.hpp>
 #include <ricochet/version.hpp>

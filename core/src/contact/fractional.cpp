@@ -50,6 +50,13 @@ FractionalArms::FractionalArms(const Fractional& law, const MemoryKernel& kernel
     gain_before_[j] = s.gain_before;
     gain_after_[j] = s.gain_after;
   }
+  step_gain_ = gain_over(step);
+}
+
+double FractionalArms::gain_over(double dt) const noexcept {
+  Memory memory;
+  advance(memory, {0, 0}, {0, 1}, dt);
+  return force({0, 1}, memory);
 }
 
 double FractionalArms::force(Approach a, const Memory& m) const noexcept {

@@ -1,12 +1,8 @@
 #include <ricochet/motion/bodies.hpp>
 
-#include "steepest.hpp"
-
-#include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/support/require.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -25,33 +21,6 @@ std::vector<Wall> box_walls(Vec3 low, Vec3 high, std::size_t material) {
 }
 
 namespace {
-
-using std::numbers::pi;
-
-// How long a binary collision of the law lasts without its damping.
-double duration(const Linear& law, double mass, double) { return pi * std::sqrt(mass / law.k()); }
-double duration(const Hysteretic& law, double mass, double) { return pi * std::sqrt(mass / law.k2()); }
-// ½mv² = (2/5)kζ^{5/2}; t = 2.943 ζ/v (Landau & Lifshitz, Theory of Elasticity, §9).
-double hertz(double k, double mass, double speed) {
-  return speed > 0 ? 2.943 * std::pow(1.25 * mass * speed * speed / k, 0.4) / speed
-                   : std::numeric_limits<double>::infinity();
-}
-double duration(const KuwabaraKono& law, double mass, double speed) { return hertz(law.k(), mass, speed); }
-double duration(const Tsuji& law, double mass, double speed) { return hertz(law.k(), mass, speed); }
-double duration(const Fractional& law, double mass, double) {
-  const double coefficient = law.coefficient() / mass;
-  return law.alpha() < 1 ? tcol_estimate(coefficient, law.alpha()) : 2 / coefficient;
-}
-
-// A dashpot eats the velocity within m/c. Past a damping ratio of 5/π that is so fast that ten of it are shorter than
-// the undamped collision; the true one then lasts 4 ln(2β) m/c in the linear law, 5 to 20 of them for β up to 100.
-template <class Law>
-double time_to_resolve(const Law& law, double mass, double speed) {
-  const double undamped = duration(law, mass, speed), damping = motion::steepest(law, mass, speed).damping;
-  return damping > 0 ? std::min(undamped, 10 * mass / damping) : undamped;
-}
-// Here the two are one: (57) tends to 2m/c as α → 1.
-double time_to_resolve(const Fractional& law, double mass, double speed) { return duration(law, mass, speed); }
 
 void require_finite(const std::string& what, Vec3 v) {
   if (!(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)))
@@ -99,7 +68,7 @@ StiffestContact stiffest_contact(const ClusterSetup& setup) {
   const auto lightest = lightest_of(setup);
   StiffestContact stiffest;
   const auto meet = [&](const Interaction& interaction, std::size_t i, std::size_t j, double mass) {
-    const double t = std::visit([&](const auto& law) { return time_to_resolve(law, mass, speed); }, interaction.law);
+    const double t = interaction.law.resolved_time(mass, speed);
     if (std::isfinite(t) && (stiffest.tcol == 0 || t < stiffest.tcol)) stiffest = {i, j, t};
   };
   const auto& s = setup.spheres;
@@ -140,8 +109,7 @@ void check(const ClusterSetup& setup) {
     if (found == setup.interactions.end())
       throw std::invalid_argument("materials " + std::to_string(a) + " and " + std::to_string(b) +
                                   " can meet: must have an interaction");
-    if (const auto* f = std::get_if<Fractional>(&found->second.law))
-      support::require(f->alpha() >= 0 && f->alpha() <= 1, "alpha", f->alpha(), "in [0, 1] for particles in motion");
+    found->second.law.require_motion();
   };
   const auto lightest = lightest_of(setup);
   for (const auto& [a, of_a] : lightest)

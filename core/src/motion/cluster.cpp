@@ -1,11 +1,10 @@
 #include <ricochet/motion/cluster.hpp>
 
-#include "affordable_kernel.hpp"
-
 #include <ricochet/support/require.hpp>
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace ricochet {
 
@@ -38,35 +37,7 @@ double skin_of(const ClusterSetup& setup, const ClusterOptions& options) {
   return *std::min_element(radii.begin(), radii.end()) / 3;
 }
 
-MemoryKernel kernel_for(double alpha, const ClusterOptions& o) {
-  const double shortest = 0.5 * o.step, longest = o.longest_contact > 0 ? o.longest_contact : 1e4 * o.step;
-  require(longest <= 1e6 * shortest, "longest_contact", longest, "at most 5e5 steps with a fractional law");
-  return motion::affordable_kernel(alpha, shortest, std::max(longest, shortest), o.kernel_tolerance);
-}
-
 }  // namespace
-
-Cluster::Model Cluster::prepare_model(const Interaction& interaction) {
-  const double h = options_.step;
-  RunLaw law = std::visit(
-      [&]<class Law>(const Law& l) -> RunLaw {
-        if constexpr (std::same_as<Law, Fractional>) {
-          const MemoryKernel kernel = kernel_for(l.alpha(), options_);
-          kernel_error_ = std::max(kernel_error_, kernel.error());
-          return FractionalArms(l, kernel, h);
-        } else {
-          return l;
-        }
-      },
-      interaction.law);
-  double gain = 0;
-  if (const auto* arms = std::get_if<FractionalArms>(&law)) {
-    FractionalArms::Memory memory;
-    arms->advance(memory, {0, 0}, {0, 1}, h);
-    gain = arms->force({0, 1}, memory);
-  }
-  return {law, interaction.friction, interaction.end, gain};
-}
 
 Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)
     : options_(options),
@@ -80,13 +51,18 @@ Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)
   require(tolerance >= 1e-12 && tolerance <= 0.1, "kernel_tolerance", tolerance, "in [1e-12, 0.1]");
   support::require_positive("solver_tolerance", options.solver_tolerance);
   require(options.max_sweeps >= 1, "max_sweeps", options.max_sweeps, "at least 1");
+  add_bodies(setup);
+  add_models(setup.interactions);
+}
+
+void Cluster::add_bodies(const ClusterSetup& setup) {
   for (const Sphere& s : setup.spheres) {
     masses_.push_back(s.mass());
     inertias_.push_back(s.inertia());
     inverse_mass_.push_back(1 / s.mass());
     inverse_inertia_.push_back(1 / s.inertia());
     materials_.push_back(s.material);
-    state_.half_positions.push_back(s.position + 0.5 * options.step * s.velocity);
+    state_.half_positions.push_back(s.position + 0.5 * options_.step * s.velocity);
     state_.velocities.push_back(s.velocity);
     state_.spins.push_back(s.spin);
   }
@@ -99,12 +75,18 @@ Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)
     state_.spins.push_back({});
   }
   for (std::size_t m : materials_) material_count_ = std::max(material_count_, m + 1);
+}
+
+void Cluster::add_models(const Interactions& interactions) {
   model_table_.assign(material_count_ * material_count_, 0);
-  for (const auto& [pair, interaction] : setup.interactions) {
+  for (const auto& [pair, interaction] : interactions) {
     if (pair.first >= material_count_ || pair.second >= material_count_) continue;
     model_table_[pair.first * material_count_ + pair.second] = static_cast<std::uint32_t>(models_.size());
     model_table_[pair.second * material_count_ + pair.first] = static_cast<std::uint32_t>(models_.size());
-    models_.push_back(prepare_model(interaction));
+    auto normal =
+        interaction.law.contacts({options_.step, interaction.end, options_.longest_contact, options_.kernel_tolerance});
+    kernel_error_ = std::max(kernel_error_, normal->kernel_error());
+    models_.push_back({interaction.friction, interaction.end, std::move(normal), {}});
   }
 }
 
@@ -162,14 +144,52 @@ Vec3 Cluster::angular_momentum() const noexcept {
 
 std::vector<Encounter> Cluster::take_finished() { return std::exchange(finished_, {}); }
 
+ClusterState Cluster::state() const {
+  ClusterState state = state_;
+  for (const ContactState& c : state_.contacts) {
+    const motion::NormalContacts& normal = *models_[c.model].normal;
+    ContactMemory memory{std::string(normal.law()), std::vector<double>(normal.memory_size())};
+    normal.save(c, memory.values);
+    state.memories.push_back(std::move(memory));
+  }
+  return state;
+}
+
+void Cluster::check_contacts(const ClusterState& state) const {
+  if (state.memories.size() != state.contacts.size())
+    throw std::invalid_argument("state: must have one memory a contact");
+  std::pair<std::uint32_t, std::uint32_t> last{0, 0};  // of no contact, as i < j
+  for (std::size_t k = 0; k < state.contacts.size(); ++k) {
+    const std::pair pair(state.contacts[k].record.i, state.contacts[k].record.j);
+    if (!(last < pair && pair.first < pair.second && pair.first < size() && pair.second < size() + walls_.size()))
+      throw std::invalid_argument("state: must have contacts of the same spheres and walls, ordered by pair");
+    last = pair;
+    const motion::NormalContacts& normal = *models_[model_of(pair.first, pair.second)].normal;
+    const auto described = [](std::string_view law, std::size_t values) {
+      return std::string(law) + " with " + std::to_string(values) + " numbers";
+    };
+    const ContactMemory& memory = state.memories[k];
+    if (memory.law != normal.law() || memory.values.size() != normal.memory_size())
+      throw std::invalid_argument("state: memory of bodies " + std::to_string(pair.first) + " and " +
+                                  std::to_string(pair.second) + " = " + described(memory.law, memory.values.size()) +
+                                  ": must be " + described(normal.law(), normal.memory_size()));
+  }
+}
+
 void Cluster::restore(ClusterState state) {
   if (state.half_positions.size() != size() || state.velocities.size() != size() + walls_.size() ||
       state.spins.size() != state.velocities.size())
     throw std::invalid_argument("state: must be of the same spheres and walls");
-  for (const ContactState& c : state.contacts)
-    if (c.record.i >= size() || c.record.j >= size() + walls_.size() || c.model >= models_.size())
-      throw std::invalid_argument("state: must have contacts of the same spheres, walls and interactions");
+  check_contacts(state);
+  for (const ContactState& c : state_.contacts) models_[c.model].normal->forget(c);
   state_ = std::move(state);
+  for (std::size_t k = 0; k < state_.contacts.size(); ++k) {
+    ContactState& c = state_.contacts[k];
+    c.model = model_of(c.record.i, c.record.j);
+    models_[c.model].normal->restore(c, state_.memories[k].values);
+  }
+  state_.memories.clear();
+  group_contacts();
 }
 
 }  // namespace ricochet

@@ -1,8 +1,6 @@
 // How contacts of a cluster begin and end.
 #include <ricochet/motion/cluster.hpp>
 
-#include <ricochet/contact/mean_force.hpp>
-
 #include <algorithm>
 
 namespace ricochet {
@@ -62,9 +60,15 @@ void Cluster::find_touching() {
   const auto middle = static_cast<std::ptrdiff_t>(state_.contacts.size());
   state_.contacts.insert(state_.contacts.end(), born.begin(), born.end());
   std::inplace_merge(state_.contacts.begin(), state_.contacts.begin() + middle, state_.contacts.end(), before);
+  group_contacts();
 }
 
-ContactState Cluster::begin_contact(std::uint32_t i, std::uint32_t j) const {
+void Cluster::group_contacts() {
+  for (Model& model : models_) model.members.clear();
+  for (std::uint32_t k = 0; k < state_.contacts.size(); ++k) models_[state_.contacts[k].model].members.push_back(k);
+}
+
+ContactState Cluster::begin_contact(std::uint32_t i, std::uint32_t j) {
   const double h = options_.step, middle = time() + 0.5 * h;
   const Vec3 v = relative_velocity(i, j);
   const ContactGeometry now = geometry(i, j);
@@ -87,64 +91,11 @@ ContactState Cluster::begin_contact(std::uint32_t i, std::uint32_t j) const {
   if (!overlapped_at_start) c.approach.overlap = 0;  // what is left is rounding
   c.record.begin = std::max(0.0, middle - c.lag);
   c.record.phase_begin[static_cast<std::size_t>(Phase::compression)] = c.record.begin;
-  std::visit(
-      [&]<class Law>(const Law& law) {
-        c.memory = typename Law::Memory{};
-        c.force = law.force(c.approach, typename Law::Memory{});
-      },
-      models_[c.model].law);
+  models_[c.model].normal->begin(c);
   c.fresh = !overlapped_at_start;  // who rests on another since before time 0 has not just touched it
   const Vec3 surface = now.arm_i * state_.spins[i] + now.arm_j * state_.spins[j];
   c.speed_scale = norm(v) + norm(surface) + std::sqrt(norm(gravity_) * (now.arm_i + now.arm_j));
   return c;
-}
-
-// From t_b to the end of the step the pair moves by itself, m ζ'' = −R, on a mesh graded towards t_b. Means of the
-// force over each part keep forces that start with a jump or like a power of time from spoiling the order.
-void Cluster::touch(ContactState& c, Row& row) {
-  constexpr int parts = 6;
-  const Model& model = models_[c.model];
-  const double length = c.lag + 0.5 * options_.step;
-  const bool clamped = model.end == ContactEnd::force;
-  std::visit(
-      [&]<class Law>(const Law& law) {
-        auto& memory = std::get<typename Law::Memory>(c.memory);
-        Approach a = c.approach;
-        double force = law.force(a, memory), impulse = 0, loss = 0, t = 0;
-        for (int k = 1; k <= parts && (a.overlap > 0 || k == 1); ++k) {
-          const double to = length * k * k / double(parts * parts), dt = to - t;
-          const double applied = clamped ? std::max(0.0, force) : force;
-          const double guess = a.rate - 0.5 * applied * row.mobility_normal * dt;
-          const double mean = mean_force(law, a.overlap, guess, memory, dt);
-          const double push = clamped ? std::max(0.0, mean) : mean;
-          const double rate = a.rate - push * row.mobility_normal * dt, mid = 0.5 * (a.rate + rate);
-          const Approach next{a.overlap + mid * dt, rate};
-          const double before = law.stored_energy(a, memory);
-          law.advance(memory, a, next, dt);
-          const double after = law.stored_energy(next, memory), last = force;
-          force = law.force(next, memory);
-          impulse += push * dt;
-          loss += push * mid * dt - (after - before);
-          if (clamped && last > 0 && force <= 0) c.record.end = c.record.begin + t + dt * last / (last - force);
-          a = next, t = to;
-        }
-        c.approach = a, c.force = force;
-        c.stored = law.stored_energy(a, memory);
-        row.fixed_impulse = impulse, row.fixed_loss = loss;
-      },
-      model.law);
-  row.duration = 0;
-  c.lag = 0.5 * options_.step;
-}
-
-double Cluster::force_at_separation(const ContactState& c, double rate, double span) const {
-  return std::visit(
-      [&]<class Law>(const Law& law) {
-        auto memory = std::get<typename Law::Memory>(c.memory);
-        law.advance(memory, c.approach, {0, rate}, span);
-        return law.force({0, rate}, memory);
-      },
-      models_[c.model].law);
 }
 
 void Cluster::finish(ContactState& c, const ContactGeometry& g) {
@@ -160,7 +111,8 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
   if (c.record.end == Encounter::never) {
     // From the memory's time to the separation the force is taken as linear; where it became attractive, (25) came
     // first.
-    const double span = std::max(0.0, c.lag - since), at_separation = force_at_separation(c, rate, span);
+    const double span = std::max(0.0, c.lag - since);
+    const double at_separation = models_[c.model].normal->force_at(c, {0, rate}, span);
     const bool by_force = models_[c.model].end == ContactEnd::force && c.force > 0 && at_separation < 0;
     c.record.end = c.record.separation - (by_force ? span * at_separation / (at_separation - c.force) : 0.0);
     c.record.how = by_force ? EncounterEnd::deformed_rebound : EncounterEnd::elastic_rebound;
@@ -168,10 +120,11 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
     const double rest = c.record.end - time();
     const double slope = span > 0 ? (at_separation - c.force) / span : 0.0;
     const double impulse = by_force ? -0.5 * slope * rest * std::max(0.0, rest) : at_separation * rest;
-    apply(c, g, impulse, {});
+    push(c, g, impulse);
     state_.lost_normal += impulse * rate;
   }
   state_.lost_normal += c.stored;  // what the memory still held is forgotten
+  models_[c.model].normal->forget(c);
   finished_.push_back(c.record);
 }
 
@@ -188,8 +141,10 @@ void Cluster::drop_separated() {
       finish(contacts[k], g);
     }
   }
+  if (kept == contacts.size()) return;
   contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(kept), contacts.end());
   rows_.resize(kept);
+  group_contacts();
 }
 
 }  // namespace ricochet

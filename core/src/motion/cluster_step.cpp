@@ -32,9 +32,8 @@ void Cluster::kick_by_fields() {
   }
 }
 
-SlipMotion Cluster::slip_motion(const ContactState& c, const ContactGeometry& g) const noexcept {
+SlipMotion Cluster::slip_motion(const ContactState& c, const ContactGeometry& g, Vec3 v) const noexcept {
   const Vec3 wi = state_.spins[c.record.i], wj = state_.spins[c.record.j];
-  const Vec3 v = relative_velocity(c.record.i, c.record.j);
   return {tangential(v, g.normal) + cross(g.arm_i * wi + g.arm_j * wj, g.normal),  // Eq. (9)
           dot(wi - wj, g.normal), cross(wi - wj, g.normal)};
 }
@@ -56,60 +55,47 @@ Vec3 turning(const ContactGeometry& g, Vec3 v, Vec3 wi, Vec3 wj, bool wall, doub
 
 }  // namespace
 
+motion::NormalBatch Cluster::batch(const Model& model) noexcept { return {model.members, state_.contacts, normals_}; }
+
 void Cluster::prepare_rows() {
+  normals_.resize(rows_.size());
   for (std::size_t k = 0; k < rows_.size(); ++k) {
-    ContactState& c = state_.contacts[k];
+    const ContactState& c = state_.contacts[k];
     Row& row = rows_[k];
     const ContactGeometry& g = row.geometry;
     const std::uint32_t i = c.record.i, j = c.record.j;
-    const double mi = inverse_mass_[i], mj = inverse_mass_[j], ji = inverse_inertia_[i], jj = inverse_inertia_[j];
+    const bool silent = options_.reclosing == Reclosing::silent && c.record.end != Encounter::never;
+    motion::NormalRow& normal = normals_[k];
+    normal = {};
+    normal.overlap = g.overlap;
     const Vec3 v = relative_velocity(i, j);
-    row.mobility_normal = mi + mj;
-    row.mobility = {mi + mj + g.arm_i * g.arm_i * ji + g.arm_j * g.arm_j * jj, g.arm_i * ji - g.arm_j * jj, ji + jj};
-    row.rate_before = dot(v, g.normal);
-    row.before = slip_motion(c, g);
-    row.turning = turning(g, v, state_.spins[i], state_.spins[j], j >= size(), 0.5 * options_.step);
-    row.fixed_loss = 0;
-    if (c.fresh)
-      touch(c, row);
-    else
-      prepare_normal(c, row);
-    // The last step's impulses are the guess for this one.
-    row.impulse = row.duration > 0 ? c.normal_impulse : row.fixed_impulse;
+    normal.rate = dot(v, g.normal);
+    normal.mobility = inverse_mass_[i] + inverse_mass_[j];
+    normal.duration = silent ? 0 : options_.step;
+    row.before = slip_motion(c, g, v);
     row.friction = {};
-    row.friction.impulse = c.friction;
-    row.friction.impulse.sliding = tangential(c.friction.sliding, g.normal);
-    row.friction.impulse.rolling = tangential(c.friction.rolling, g.normal);
+    if (models_[c.model].rubs()) prepare_friction(c, v, row);
   }
+  for (const Model& model : models_) model.normal->prepare(batch(model));
 }
 
-void Cluster::prepare_normal(const ContactState& c, Row& row) const {
-  const Model& model = models_[c.model];
-  const bool silent = options_.reclosing == Reclosing::silent && c.record.end != Encounter::never;
-  row.duration = silent ? 0 : options_.step;
-  row.fixed_impulse = 0;
-  row.rate_guess = row.rate_before;
-  const double overlap = row.geometry.overlap;
-  const Approach at{overlap, row.rate_guess};
-  std::visit(
-      [&]<class Law>(const Law& law) {
-        const auto& memory = std::get<typename Law::Memory>(c.memory);
-        if constexpr (std::same_as<typename Law::Memory, NoMemory>) {
-          row.force_guess = law.force(at, memory);
-          row.gain = law.force({overlap, 1}, memory) - law.force({overlap, 0}, memory);
-        } else {
-          auto trial = memory;
-          law.advance(trial, c.approach, at, c.lag);
-          row.force_guess = law.force(at, trial);
-          row.gain = model.gain;
-          if (std::same_as<Law, FractionalArms> && c.lag != options_.step) {
-            trial = {};
-            law.advance(trial, {}, {0, 1}, c.lag);
-            row.gain = law.force({0, 1}, trial);
-          }
-        }
-      },
-      model.law);
+void Cluster::prepare_friction(const ContactState& c, Vec3 v, Row& row) const noexcept {
+  const ContactGeometry& g = row.geometry;
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  const double mi = inverse_mass_[i], mj = inverse_mass_[j], ji = inverse_inertia_[i], jj = inverse_inertia_[j];
+  row.mobility = {mi + mj + g.arm_i * g.arm_i * ji + g.arm_j * g.arm_j * jj, g.arm_i * ji - g.arm_j * jj, ji + jj};
+  row.turning = turning(g, v, state_.spins[i], state_.spins[j], j >= size(), 0.5 * options_.step);
+  // The last step's impulse is the guess for this one.
+  row.friction.impulse = c.friction;
+  row.friction.impulse.sliding = tangential(c.friction.sliding, g.normal);
+  row.friction.impulse.rolling = tangential(c.friction.rolling, g.normal);
+}
+
+// An impulse along the normal alone.
+void Cluster::push(const ContactState& c, const ContactGeometry& g, double normal) noexcept {
+  const Vec3 linear = normal * g.normal;
+  state_.velocities[c.record.i] -= inverse_mass_[c.record.i] * linear;
+  state_.velocities[c.record.j] += inverse_mass_[c.record.j] * linear;
 }
 
 void Cluster::apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept {
@@ -122,12 +108,12 @@ void Cluster::apply(const ContactState& c, const ContactGeometry& g, double norm
   state_.spins[j] += inverse_inertia_[j] * (g.arm_j * lever - couple);
 }
 
-double Cluster::normal_impulse(const ContactState& c, const Row& row, double rate_free) const noexcept {
+double Cluster::normal_impulse(const ContactState& c, const motion::NormalRow& row, double rate_free) const noexcept {
   if (row.duration == 0) return row.fixed_impulse;
   // R in the middle of the step, implicit in the mean rate: affine in it for every law here.
   const double h = row.duration;
-  const double explicit_force = row.force_guess + row.gain * (0.5 * (row.rate_before + rate_free) - row.rate_guess);
-  const double force = explicit_force / (1 + 0.5 * h * row.gain * row.mobility_normal);
+  const double explicit_force = row.force + row.slope * (0.5 * (row.rate + rate_free) - row.rate);
+  const double force = explicit_force / (1 + 0.5 * h * row.slope * row.mobility);
   if (models_[c.model].end == ContactEnd::overlap) return h * force;
   // Only what repels counts. Over the step R is taken as linear; where it changes sign, the triangle remains.
   const double slope = (force - c.force) / c.lag;
@@ -158,25 +144,29 @@ constexpr int plain_sweeps = 16;
 }  // namespace
 
 // Solves one contact, all others as they are; returns the change of its impulses [N s].
-double Cluster::relax(ContactState& c, Row& row) noexcept {
+double Cluster::relax(std::size_t contact) noexcept {
+  const ContactState& c = state_.contacts[contact];
+  Row& row = rows_[contact];
+  motion::NormalRow& along = normals_[contact];
   const ContactGeometry& g = row.geometry;
   const Vec3 v = relative_velocity(c.record.i, c.record.j);
-  const double rate_free = dot(v, g.normal) + row.mobility_normal * row.impulse;
-  const double normal = normal_impulse(c, row, rate_free);
-  const double change = normal - row.impulse;
-  row.impulse = normal;
-  const Friction& friction = models_[c.model].friction;
-  if (friction.mu_static() == 0) {
-    apply(c, g, change, {});
+  const double rate_free = dot(v, g.normal) + along.mobility * along.impulse;
+  const double normal = normal_impulse(c, along, rate_free);
+  const double change = normal - along.impulse;
+  along.impulse = normal;
+  const Model& model = models_[c.model];
+  if (!model.rubs()) {
+    push(c, g, change);
     return std::abs(change);
   }
   const FrictionImpulse last = row.friction.impulse;
   const SlipMobility& m = row.mobility;
-  SlipMotion free = slip_motion(c, g);
+  SlipMotion free = slip_motion(c, g, v);
   free.slip -= m.slip * last.sliding + m.cross * last.rolling;
   free.roll -= m.cross * last.sliding + m.roll * last.rolling;
   free.spin -= m.roll * last.torsion;
-  row.friction = friction_impulse(friction, {std::max(0.0, normal), g.radius, m, row.before, free, row.turning}, last);
+  row.friction =
+      friction_impulse(model.friction, {std::max(0.0, normal), g.radius, m, row.before, free, row.turning}, last);
   const FrictionImpulse delta = row.friction.impulse - last;
   apply(c, g, change, delta);
   const double arm = g.arm_i + g.arm_j;
@@ -188,41 +178,46 @@ double Cluster::relax(ContactState& c, Row& row) noexcept {
 // stands for the gradient; part of the direction before is added. Where that leads out of the limits the next sweep
 // leads back in. Returns the squared size of the change; couples count by the lever of the contact.
 double Cluster::accelerate(double last, bool restart) noexcept {
-  const auto change = [](const Row& r) {
-    return Pulse{r.impulse - r.before_sweep.normal, r.friction.impulse - r.before_sweep.friction};
+  const auto change = [&](std::size_t k) {
+    const Row& row = rows_[k];
+    return Pulse{normals_[k].impulse - row.before_sweep.normal, row.friction.impulse - row.before_sweep.friction};
   };
   double size = 0;
-  for (const Row& row : rows_) {
-    const auto [normal, f] = change(row);
-    const double arm = row.geometry.arm_i + row.geometry.arm_j;
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const auto [normal, f] = change(k);
+    const double arm = rows_[k].geometry.arm_i + rows_[k].geometry.arm_j;
     const double couples = arm > 0 ? (f.torsion * f.torsion + dot(f.rolling, f.rolling)) / (arm * arm) : 0;
     size += normal * normal + dot(f.sliding, f.sliding) + couples;
   }
   const double share = restart || !(size < last) ? 0.0 : size / last;
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     Row& row = rows_[k];
-    const auto [normal, friction] = change(row);
-    const Pulse push{share * row.direction.normal, share * row.direction.friction};
-    row.impulse += push.normal;
-    row.friction.impulse = row.friction.impulse + push.friction;
-    apply(state_.contacts[k], row.geometry, push.normal, push.friction);
-    row.direction = {push.normal + normal, push.friction + friction};
+    const auto [normal, friction] = change(k);
+    const Pulse more{share * row.direction.normal, share * row.direction.friction};
+    normals_[k].impulse += more.normal;
+    row.friction.impulse = row.friction.impulse + more.friction;
+    apply(state_.contacts[k], row.geometry, more.normal, more.friction);
+    row.direction = {more.normal + normal, more.friction + friction};
   }
   return size;
 }
 
 void Cluster::solve() {
   for (std::size_t k = 0; k < rows_.size(); ++k)
-    apply(state_.contacts[k], rows_[k].geometry, rows_[k].impulse, rows_[k].friction.impulse);
+    if (const ContactState& c = state_.contacts[k]; models_[c.model].rubs())
+      apply(c, rows_[k].geometry, normals_[k].impulse, rows_[k].friction.impulse);
+    else
+      push(c, rows_[k].geometry, normals_[k].impulse);
   converged_ = false;
   double change = 0, greatest = 0, size = 0;
   for (sweeps_ = 0; sweeps_ < options_.max_sweeps && !converged_; ++sweeps_) {
     if (sweeps_ >= plain_sweeps) size = accelerate(size, sweeps_ == plain_sweeps);
+    const bool noted = sweeps_ + 1 >= plain_sweeps;  // what the next sweep is accelerated by
     change = greatest = 0;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
-      rows_[k].before_sweep = {rows_[k].impulse, rows_[k].friction.impulse};
-      change = std::max(change, relax(state_.contacts[k], rows_[k]));
-      greatest = std::max(greatest, rows_[k].impulse);
+      if (noted) rows_[k].before_sweep = {normals_[k].impulse, rows_[k].friction.impulse};
+      change = std::max(change, relax(k));
+      greatest = std::max(greatest, normals_[k].impulse);
     }
     converged_ = change <= options_.solver_tolerance * greatest;
   }
@@ -235,54 +230,26 @@ void Cluster::conclude() {
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     ContactState& c = state_.contacts[k];
     const Row& row = rows_[k];
-    const double rate_after = dot(relative_velocity(c.record.i, c.record.j), row.geometry.normal);
-    const SlipMotion after = slip_motion(c, row.geometry);
-    conclude_friction(c, row, after);
-    note_phases(c, row, 0.5 * (row.rate_before + rate_after), after);
-    conclude_normal(c, row, rate_after);
+    motion::NormalRow& normal = normals_[k];
+    const Vec3 v = relative_velocity(c.record.i, c.record.j);
+    normal.rate_mid = 0.5 * (normal.rate + dot(v, row.geometry.normal));
+    const SlipMotion after = slip_motion(c, row.geometry, v);
+    if (models_[c.model].rubs()) conclude_friction(c, row, after);
+    note_phases(c, row, normal.rate_mid, after);
+  }
+  for (const Model& model : models_) model.normal->conclude(batch(model), time() + 0.5 * options_.step);
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    ContactState& c = state_.contacts[k];
+    state_.lost_normal += normals_[k].loss;
+    if (c.record.end != Encounter::never && c.record.how == EncounterEnd::open)
+      c.record.how = how_it_ended(c, normals_[k].rate_mid, rows_[k]);
   }
 }
 
-// Advances the memory to the middle of the step and books the normal energies. The work of the impulse is what the
-// law stores, what its dashpots burn, and what the clamp at zero withholds; each is of second order.
-void Cluster::conclude_normal(ContactState& c, const Row& row, double rate_after) {
-  const double h = options_.step, rate = 0.5 * (row.rate_before + rate_after);
-  c.normal_impulse = row.impulse;
-  if (std::exchange(c.fresh, false)) {
-    state_.lost_normal += row.fixed_loss;
-    if (c.record.end != Encounter::never) c.record.how = EncounterEnd::deformed_rebound;
-    return;
-  }
-  const Approach at{row.geometry.overlap, rate};
-  std::visit(
-      [&]<class Law>(const Law& law) {
-        auto& memory = std::get<typename Law::Memory>(c.memory);
-        law.advance(memory, c.approach, at, c.lag);
-        const double force = law.force(at, memory), burnt = law.dissipated_power(at, memory);
-        // Past the clamp the law's own balance no longer describes the motion: the arms go on being stretched, but by
-        // nobody, so no more counts as stored than was and than the impulse has put in.
-        const bool clamped = force <= 0 && models_[c.model].end == ContactEnd::force;
-        double stored = law.stored_energy(at, memory);
-        stored = clamped ? std::clamp(c.stored + row.impulse * rate, 0.0, stored)
-                         : stored + 0.5 * h * (force * rate - burnt);
-        const bool closes = !clamped && c.force > 0 && row.duration > 0;
-        state_.lost_normal +=
-            closes ? h * burnt + (row.impulse - h * force) * rate : row.impulse * rate - (stored - c.stored);
-        c.stored = stored;
-        if (models_[c.model].end == ContactEnd::force && c.record.end == Encounter::never && c.force > 0 &&
-            force <= 0) {
-          const double middle = time() + 0.5 * h;
-          c.record.end = middle - c.lag * force / (force - c.force);
-          const double still = 1e-9 * c.speed_scale;
-          c.record.how = std::abs(rate) > still          ? EncounterEnd::deformed_rebound
-                         : norm(row.before.slip) > still ? EncounterEnd::dynamic_contact
-                                                         : EncounterEnd::static_contact;
-        }
-        c.force = force;
-      },
-      models_[c.model].law);
-  c.approach = at;
-  c.lag = h;
+EncounterEnd Cluster::how_it_ended(const ContactState& c, double rate_mid, const Row& row) noexcept {
+  const double still = 1e-9 * c.speed_scale;
+  if (std::abs(rate_mid) > still) return EncounterEnd::deformed_rebound;
+  return norm(row.before.slip) > still ? EncounterEnd::dynamic_contact : EncounterEnd::static_contact;
 }
 
 void Cluster::conclude_friction(ContactState& c, const Row& row, const SlipMotion& after) {

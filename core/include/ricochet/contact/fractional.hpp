@@ -57,6 +57,8 @@ class FractionalArms {
 
   double force(Approach a, const Memory& m) const noexcept;
   void advance(Memory& m, Approach before, Approach after, double dt) const noexcept;
+  /// How much the force after `advance` over dt grows with the rate at its end [N s/m].
+  double rate_gain(double dt) const noexcept { return dt == step_ ? step_gain_ : gain_over(dt); }
   /// `advance` over dt = step() and `force` at its end in one pass, for an engine that keeps the elongations in an
   /// array of its own of Slots ≥ arms() values, even, those past arms() being 0. Sums even and odd arms apart: it is
   /// bound by the latency of one sum otherwise.
@@ -76,9 +78,12 @@ class FractionalArms {
   double dissipated_power(Approach a, const Memory& m) const noexcept;
 
  private:
+  double gain_over(double dt) const noexcept;
+
   Fractional law_;
   std::size_t arms_ = 0;
   double step_ = 0;
+  double step_gain_ = 0;                                                 // rate_gain over step_ [N s/m]
   double spring_ = 0;                                                    // [N/m]
   double dashpot_ = 0;                                                   // [N s/m]
   std::array<double, max_arms> stiffness_{}, rate_{};                    // of each arm [N/m], [1/s]

@@ -5,7 +5,10 @@
 #include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/linked_cells.hpp>
 
+#include <cstdint>
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ricochet {
@@ -35,18 +38,26 @@ struct ClusterEnergy {
   double total() const noexcept { return mechanical() + lost_normal + lost_friction - long_range_work; }
 };
 
+/// What a law remembers of one contact.
+struct ContactMemory {
+  std::string law;             ///< its name
+  std::vector<double> values;  ///< NormalLaw::memory_size() of them
+};
+
 /// All that a cluster's future depends on besides its setup and options: restoring it continues to the last bit.
 struct ClusterState {
   std::uint64_t steps = 0;
   std::vector<Vec3> half_positions, velocities, spins;
-  std::vector<ContactState> contacts;
+  std::vector<ContactState> contacts;   ///< ordered by their pairs; `model` and `slot` are the cluster's own affair
+  std::vector<ContactMemory> memories;  ///< of these contacts
   double lost_normal = 0, lost_friction = 0, long_range_work = 0;
   std::uint64_t unconverged = 0;  ///< steps that ended at max_sweeps
   double worst_change = 0;  ///< of their last sweeps' greatest changes, relative to the greatest impulse of the step
 };
 
-/// Spheres and walls in motion: any normal law for each pair of materials, friction with torsion and rolling
-/// (Sec. II of the paper), gravity, other forces.
+/// Spheres and walls in motion: any normal law for each pair of materials, also one of your own, friction with torsion
+/// and rolling (Sec. II of the paper), gravity, other forces. Can be moved, not copied: `state` and `restore` carry a
+/// motion from one cluster to another.
 ///
 /// Scheme. Velocities live at t_n, positions at t_{n+1/2} (leapfrog). In the middle of a step every contact passes one
 /// impulse at its contact point, so momentum and angular momentum are conserved to rounding, whatever the step and
@@ -68,6 +79,7 @@ class Cluster {
   /// False as soon as a position or velocity is not finite: the step was far too large.
   bool advance(std::uint64_t steps);
 
+  std::uint64_t steps() const noexcept { return state_.steps; }
   double time() const noexcept { return static_cast<double>(state_.steps) * options_.step; }
   std::size_t size() const noexcept { return radii_.size(); }
   Vec3 position(std::size_t i) const noexcept;  ///< at time()
@@ -89,17 +101,20 @@ class Cluster {
   double kernel_error() const noexcept { return kernel_error_; }
   std::size_t rebuilds() const noexcept { return rebuilds_; }  ///< of the neighbour list
 
-  const ClusterState& state() const noexcept { return state_; }
-  /// Continues from a state saved with the same setup and options.
+  /// To be saved, between two steps.
+  ClusterState state() const;
+  /// Continues from a state saved with the same setup and options. Throws std::invalid_argument, all left as it was,
+  /// for one of other spheres, walls or laws.
   void restore(ClusterState state);
 
  private:
-  using RunLaw = std::variant<Linear, KuwabaraKono, Tsuji, Hysteretic, FractionalArms>;
+  // The contacts of one interaction.
   struct Model {
-    RunLaw law;
     Friction friction;
     ContactEnd end;
-    double gain;  // dR/dζ' of a law with memory over a full step [N s/m]
+    std::unique_ptr<motion::NormalContacts> normal;
+    std::vector<std::uint32_t> members;  // which of all contacts, ascending
+    bool rubs() const noexcept { return friction.mu_static() > 0; }
   };
   struct PlaneWall {
     Vec3 point, inward;
@@ -108,48 +123,45 @@ class Cluster {
     double normal = 0;
     FrictionImpulse friction;
   };
-  // A contact during a step; the solver sees nothing else.
+  // A contact during a step besides its NormalRow; the solver sees nothing else.
   struct Row {
     ContactGeometry geometry;
     SlipMobility mobility;
-    double mobility_normal = 0;                        // 1/m_i + 1/m_j
-    double rate_before = 0;                            // ζ' at the start of the step
-    double rate_guess = 0, force_guess = 0, gain = 0;  // R(ζ') = force_guess + gain·(ζ' − rate_guess)
-    double fixed_impulse = 0, duration = 0;            // duration 0: the impulse is fixed
-    double fixed_loss = 0;
     SlipMotion before;
     Vec3 turning;
-    double impulse = 0;
     FrictionSolution friction;
     Pulse before_sweep, direction;
   };
 
-  Model prepare_model(const Interaction& interaction);
+  void add_bodies(const ClusterSetup& setup);
+  void add_models(const Interactions& interactions);
   std::uint32_t model_of(std::uint32_t i, std::uint32_t j) const noexcept;
   ContactGeometry geometry(std::uint32_t i, std::uint32_t j) const noexcept;
   Vec3 relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept;
-  SlipMotion slip_motion(const ContactState& c, const ContactGeometry& g) const noexcept;
+  SlipMotion slip_motion(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
 
   void kick_by_fields();
   void list_candidates();
   void find_touching();
   void drop_separated();
   bool touches(std::uint32_t i, std::uint32_t j) const noexcept;
-  ContactState begin_contact(std::uint32_t i, std::uint32_t j) const;
-  double force_at_separation(const ContactState& c, double rate, double span) const;
+  ContactState begin_contact(std::uint32_t i, std::uint32_t j);
+  void group_contacts();
   void finish(ContactState& contact, const ContactGeometry& g);
   void prepare_rows();
-  void prepare_normal(const ContactState& contact, Row& row) const;
-  void touch(ContactState& contact, Row& row);
+  void prepare_friction(const ContactState& contact, Vec3 velocity, Row& row) const noexcept;
+  motion::NormalBatch batch(const Model& model) noexcept;
+  void push(const ContactState& c, const ContactGeometry& g, double normal) noexcept;
   void apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept;
-  double normal_impulse(const ContactState& contact, const Row& row, double rate_free) const noexcept;
-  double relax(ContactState& contact, Row& row) noexcept;
+  double normal_impulse(const ContactState& contact, const motion::NormalRow& row, double rate_free) const noexcept;
+  double relax(std::size_t contact) noexcept;
   double accelerate(double last, bool restart) noexcept;
   void solve();
   void conclude();
-  void conclude_normal(ContactState& contact, const Row& row, double rate_after);
   void conclude_friction(ContactState& contact, const Row& row, const SlipMotion& after);
   void note_phases(ContactState& contact, const Row& row, double rate_mid, const SlipMotion& after) const;
+  static EncounterEnd how_it_ended(const ContactState& contact, double rate_mid, const Row& row) noexcept;
+  void check_contacts(const ClusterState& state) const;
 
   ClusterOptions options_;
   Vec3 gravity_;
@@ -162,10 +174,11 @@ class Cluster {
   std::vector<std::uint32_t> model_table_;
   std::vector<Model> models_;
 
-  ClusterState state_;  // velocities and spins of walls follow those of the spheres, all zero
+  ClusterState state_;  // without memories; velocities and spins of walls follow those of the spheres, all zero
   NeighbourList neighbours_;
   std::vector<NearPair> candidates_;
   std::vector<Row> rows_;
+  std::vector<motion::NormalRow> normals_;  // of the same contacts
   std::vector<Vec3> field_forces_;
   std::vector<Encounter> finished_;
   std::size_t rebuilds_ = 0;

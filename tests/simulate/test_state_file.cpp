@@ -1,0 +1,168 @@
+#include "../../simulate/src/state_file.hpp"
+#include "open_contacts.hpp"
+
+#include <catch2/catch.hpp>
+#include <console/exit.hpp>
+#include <console/json.hpp>
+
+#include <regex>
+
+using namespace ricochet;
+using namespace ricochet::simulate;
+using console::Json;
+
+namespace {
+
+const Scene& scene() {
+  static const Scene read = test::open_contacts();
+  return read;
+}
+
+/// After 300 steps, with contacts of every law; no two of its numbers are the same.
+const Checkpoint& saved() {
+  static const Checkpoint made = [] {
+    Cluster cluster(scene().setup, scene().options);
+    REQUIRE(cluster.advance(300));
+    Checkpoint c{{1, 2, 3}, false, cluster.state()};
+    c.state.unconverged = 7;
+    c.state.worst_change = 0.125;
+    c.state.long_range_work = 0.375;
+    c.state.contacts.at(1).record.end = 5e-4;
+    c.state.contacts.at(1).record.how = EncounterEnd::dynamic_contact;
+    return c;
+  }();
+  return made;
+}
+
+std::string complaint(const Json& state) {
+  try {
+    read_checkpoint("d/state.json", state.dump(), scene());
+  } catch (const console::BadInput& error) {
+    CHECK(std::string(error.what()).find('\n') == std::string::npos);
+    return std::regex_replace(std::string(error.what()), std::regex(":\\d+:\\d+: "), ": ");
+  }
+  return "accepted";
+}
+
+/// What is said where the value at a JSON pointer is another.
+std::string with(const std::string& place, const Json& value) {
+  Json state = Json::parse(write_checkpoint(scene(), saved()));
+  state.at(Json::json_pointer(place)) = value;
+  return complaint(state);
+}
+
+const std::string start = "d/state.json: ";
+
+}  // namespace
+
+TEST_CASE("a state reads back to the last bit, every number in its own place") {
+  const std::string text = write_checkpoint(scene(), saved());
+  const Checkpoint back = read_checkpoint("d/state.json", text, scene());
+  const ClusterState &a = saved().state, &b = back.state;
+  CHECK(back.lengths == saved().lengths);
+  CHECK(back.complete == saved().complete);
+  CHECK(b.steps == a.steps);
+  CHECK(b.half_positions == a.half_positions);
+  CHECK(b.velocities == a.velocities);
+  CHECK(b.spins == a.spins);
+  CHECK(b.lost_normal == a.lost_normal);
+  CHECK(b.lost_friction == a.lost_friction);
+  CHECK(b.long_range_work == a.long_range_work);
+  CHECK(b.unconverged == a.unconverged);
+  CHECK(b.worst_change == a.worst_change);
+  REQUIRE(b.contacts.size() == a.contacts.size());
+  REQUIRE(b.memories.size() == a.memories.size());
+  REQUIRE(a.contacts.size() >= 7);
+  for (std::size_t k = 0; k < a.contacts.size(); ++k) {
+    const ContactState &c = a.contacts[k], &d = b.contacts[k];
+    CAPTURE(k);
+    CHECK(d.record == c.record);
+    CHECK(b.memories[k].law == a.memories[k].law);
+    CHECK(b.memories[k].values == a.memories[k].values);
+    CHECK(d.approach.overlap == c.approach.overlap);
+    CHECK(d.approach.rate == c.approach.rate);
+    CHECK(d.force == c.force);
+    CHECK(d.lag == c.lag);
+    CHECK(d.fresh == c.fresh);
+    CHECK(d.normal_impulse == c.normal_impulse);
+    CHECK(d.friction.sliding == c.friction.sliding);
+    CHECK(d.friction.torsion == c.friction.torsion);
+    CHECK(d.friction.rolling == c.friction.rolling);
+    CHECK(d.stored == c.stored);
+    CHECK(d.speed_scale == c.speed_scale);
+  }
+}
+
+TEST_CASE("the file says by name what it holds") {
+  const Json state = Json::parse(write_checkpoint(scene(), saved()));
+  const ClusterState& s = saved().state;
+  CHECK(state.at("schema") == "ricochet/state/2");
+  CHECK(state.at("lost_normal") == s.lost_normal);
+  CHECK(state.at("lost_friction") == s.lost_friction);
+  CHECK(state.at("contacts").at(0).at("memory") == s.memories[0].values);
+  const Json& contact = state.at("contacts").at(1);
+  CHECK(contact.at("law") == "linear");
+  CHECK(contact.at("memory").empty());
+  CHECK(contact.at("sliding").at(1) == s.contacts[1].friction.sliding.y);
+  CHECK(contact.at("rolling").at(0) == s.contacts[1].friction.rolling.x);
+  CHECK(contact.at("torsion") == s.contacts[1].friction.torsion);
+  CHECK(contact.at("lag") == scene().options.step);
+}
+
+TEST_CASE("every value of a state is checked before it is used, and named where it is wrong") {
+  CHECK(with("/steps", 300) == "accepted");
+  CHECK(with("/steps", -1) == start + "/steps = -1: must be an integer from 0 to 3000");
+  CHECK(with("/steps", 1.5) == start + "/steps = 1.5: must be an integer from 0 to 3000");
+  CHECK(with("/steps", 1e300) == start + "/steps = 1e+300: must be an integer from 0 to 3000");
+  CHECK(with("/steps", 3001) == start + "/steps = 3001: must be an integer from 0 to 3000");
+  CHECK(with("/complete", 1) == start + "/complete = 1: must be true or false");
+  CHECK(with("/complete", true) == start + "/complete = true: must be false before the last step");
+  CHECK(with("/lengths", {1, 2}) == start + "/lengths = [1,2]: must be an array of 3 lengths");
+  CHECK(with("/lengths/1", -2) == start + "/lengths/1 = -2: must be an integer from 0 to 9223372036854775807");
+  CHECK(with("/velocities", Json::array()) == start + "/velocities = []: must be an array of 6 vectors, one a sphere");
+  CHECK(with("/half_positions/2/0", nullptr) == start + "/half_positions/2/0 = null: must be a finite number");
+  CHECK(with("/spins/5", {1, 2}) == start + "/spins/5 = [1,2]: must be three numbers [x, y, z]");
+  CHECK(with("/lost_friction", "much") == start + "/lost_friction = \"much\": must be a finite number");
+  CHECK(with("/solver/unconverged_steps", 301) ==
+        start + "/solver/unconverged_steps = 301: must be an integer from 0 to 300");
+  CHECK(with("/contacts", 3) == start + "/contacts = 3: must be an array");
+}
+
+TEST_CASE("a contact of a state is checked against the scene") {
+  const std::string first = "/contacts/0/";
+  CHECK(with(first + "how", -1) == start + first + "how = -1: must be an integer from 0 to 0");
+  CHECK(with(first + "how", 99) == start + first + "how = 99: must be an integer from 0 to 0");
+  CHECK(with("/contacts/1/how", 0) == start + "/contacts/1/how = 0: must be an integer from 1 to 4");
+  CHECK(with("/contacts/1/how", 5) == start + "/contacts/1/how = 5: must be an integer from 1 to 4");
+  CHECK(with("/contacts/1/end", -1) == start + "/contacts/1/end = -1: must be a number >= 0");
+  CHECK(with(first + "begin", 1) == start + first + "begin = 1: must be at most the time of the state");
+  CHECK(with(first + "pair/0", 6) == start + first + "pair/0 = 6: must be an integer from 0 to 5");
+  CHECK(with(first + "pair/1", 7) == start + first + "pair/1 = 7: must be an integer from 1 to 6");
+  CHECK(with(first + "pair", {1, 0}) == start + first + "pair/1 = 0: must be an integer from 2 to 6");
+  CHECK(with(first + "pair", {3, 6}).rfind(start + first + "law = \"fractional\": must be \"hysteretic\"", 0) == 0);
+  CHECK(with("/contacts/1/pair", {0, 1}).find("must be after that of the contact before") != std::string::npos);
+  CHECK(with(first + "law", "tsuji") == start + first + "law = \"tsuji\": must be \"fractional\", as in the scene");
+  CHECK(with(first + "memory", {1}) ==
+        start + first + "memory = [1]: must be an array of 24 numbers, the memory of the law \"fractional\"");
+  CHECK(with("/contacts/1/memory", {1}) ==
+        start + "/contacts/1/memory = [1]: must be an array of 0 numbers, the memory of the law \"linear\"");
+  CHECK(with(first + "memory/3", "a") == start + first + "memory/3 = \"a\": must be a finite number");
+  CHECK(with(first + "lag", 0) == start + first + "lag = 0: must be a number > 0");
+  CHECK(with(first + "lag", 1) == start + first + "lag = 1: must be at most the step");
+  CHECK(with(first + "phases", Json::array()) == start + first + "phases = []: must be an array of 6 times");
+  CHECK(with(first + "sliding", 1) == start + first + "sliding = 1: must be three numbers [x, y, z]");
+  Json state = Json::parse(write_checkpoint(scene(), saved()));
+  state["contacts"][0].erase("force");
+  CHECK(complaint(state) == start + "/contacts/0: \"force\" is missing; it must be given");
+}
+
+TEST_CASE("what is no state of this scene and version is told apart") {
+  CHECK(complaint({}) == start + "must be a state that simulate saved; start again without --resume");
+  CHECK(with("/schema", "ricochet/scene/1") == complaint({}));
+  CHECK(with("/schema", "ricochet/state/1") ==
+        start +
+            "/schema = \"ricochet/state/1\": must be \"ricochet/state/2\", as this version of simulate saves; "
+            "start again without --resume");
+  CHECK(with("/scene", "1") == start + "of another scene; must be of the one given");
+  CHECK_THROWS_WITH(read_checkpoint("d/state.json", "{\"schema\": ", scene()), Catch::Contains("must be a state"));
+}
