@@ -4,6 +4,7 @@
 #include <ricochet/motion/engine/normal_contacts.hpp>
 #include <ricochet/motion/resolved_time.hpp>
 
+#include <concepts>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -22,8 +23,9 @@ struct NormalStepping {
 /// fractional law, which then runs on Maxwell arms made for the cluster's steps, and AnyLaw. Immutable; copies share.
 class NormalLaw {
  public:
-  template <ContactLaw Law>
-  NormalLaw(const Law& law) : law_(std::make_shared<const Of<Law>>(law)) {}
+  template <class Law>
+  requires(!std::same_as<Law, NormalLaw>) && ContactLaw<Law>  // in this order: a copy asks for no copy
+      NormalLaw(const Law& law) : law_(std::make_shared<const Of<Law>>(law)) {}
   NormalLaw(const Fractional& law);
   NormalLaw(const AnyLaw& law);
 
