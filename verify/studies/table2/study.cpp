@@ -5,6 +5,7 @@
 #include <calibrate/calibration.hpp>
 #include <console/csv.hpp>
 #include <console/exit.hpp>
+#include <ricochet/support/text.hpp>
 
 #include <fmt/format.h>
 
