@@ -8,7 +8,8 @@ using console::Format;
 using console::Json;
 
 Json study_json(const Study& study, const StudyResult& result) {
-  Json json{{"schema", fmt::format("ricochet/{}/1", study.name())}, {"claim", study.claim()}, {"verdict", result.verdict}};
+  Json json{
+      {"schema", fmt::format("ricochet/{}/1", study.name())}, {"claim", study.claim()}, {"verdict", result.verdict}};
   json.update(result.extra);
   json["gates"] = Json::array();
   for (const Gate& gate : result.gates) json["gates"].push_back(to_json(gate));

@@ -38,9 +38,9 @@ struct Line {
 
 /// The printed table; throws console::Failed where the file cannot be read.
 std::vector<Line> printed_lines() {
-  const std::string path = data_folder() + "/table1.csv";
+  const std::string path = fmt::format("{}/table1.csv", data_folder());
   std::ifstream file(path);
-  if (!file) throw console::Failed(path + ": cannot read");
+  if (!file) throw console::Failed(fmt::format("{}: cannot read", path));
   std::vector<Line> lines;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#' || line.starts_with("dN")) continue;
@@ -50,7 +50,7 @@ std::vector<Line> printed_lines() {
       std::string digits;
       std::getline(fields, digits, ',');
       const auto number = console::parse_number(digits);
-      if (!number) throw console::Failed(path + ": " + line + ": not a number");
+      if (!number) throw console::Failed(fmt::format("{}: {}: not a number", path, line));
       v = *number;
     }
     lines.push_back({static_cast<int>(value[0]), {value[2], value[3], value[4]}});
@@ -151,9 +151,10 @@ Json rows_json(const std::vector<Row>& rows) {
 double distance(const State& a, const State& b, double density) {
   const FractionalContact contact = fractional_contact(law.alpha());
   const double tcol = exact_tcol(density);
-  return std::max({std::fabs(a.overlap - b.overlap) / (contact.max_overlap * steel.velocity * tcol),
-                   std::fabs(a.rate - b.rate) / steel.velocity,
-                   std::fabs(a.force - b.force) / (contact.max_force * steel.impact(density).mass_eff * steel.velocity / tcol)});
+  return std::max(
+      {std::fabs(a.overlap - b.overlap) / (contact.max_overlap * steel.velocity * tcol),
+       std::fabs(a.rate - b.rate) / steel.velocity,
+       std::fabs(a.force - b.force) / (contact.max_force * steel.impact(density).mass_eff * steel.velocity / tcol)});
 }
 
 /// Order of a scheme at the exact collision time: the distance to the exact state for 320 … 2560 steps.

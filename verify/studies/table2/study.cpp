@@ -48,9 +48,9 @@ LawName law_named(const std::string& word) {
 
 /// The printed table; throws console::Failed where the file cannot be read.
 std::vector<Row> printed_rows() {
-  const std::string path = data_folder() + "/table2.csv";
+  const std::string path = fmt::format("{}/table2.csv", data_folder());
   std::ifstream file(path);
-  if (!file) throw console::Failed(path + ": cannot read");
+  if (!file) throw console::Failed(fmt::format("{}: cannot read", path));
   std::vector<Row> rows;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#' || line.starts_with("name,")) continue;
@@ -58,7 +58,7 @@ std::vector<Row> printed_rows() {
     std::string name, law, end, parameter, digits;
     for (auto* field : {&name, &law, &end, &parameter, &digits}) std::getline(fields, *field, ',');
     const auto value = console::parse_number(digits);
-    if (!value) throw console::Failed(path + ": " + line + ": not a number");
+    if (!value) throw console::Failed(fmt::format("{}: {}: not a number", path, line));
     if (rows.empty() || rows.back().name != name)
       rows.push_back({name, law_named(law), end == "force" ? ContactEnd::force : ContactEnd::overlap});
     rows.back().paper.push_back({parameter, *value, ""});
@@ -166,7 +166,8 @@ Json rows_json(const std::vector<Row>& rows) {
 double overlap_end_moved() {
   double end[2] = {};
   for (const int i : {0, 1}) {
-    const calibration::Request request{LawName::fractional, ContactEnd::force, target, (i ? 5 : 1) * paper::table2.fractional.k};
+    const calibration::Request request{LawName::fractional, ContactEnd::force, target,
+                                       (i ? 5 : 1) * paper::table2.fractional.k};
     end[i] = std::get<Calibration>(calibration::calibrate(request)).achieved.overlap_end;
   }
   return deviation(end[1], end[0]);
@@ -216,9 +217,9 @@ class Table2 : public Study {
                               {"en", target.en},
                               {"velocity", target.impact.velocity},
                               {"mass_eff", target.impact.mass_eff}};
-    result.verdict = fmt::format(
-        "The printed coefficients are within {} % of the exact ones and miss the target by up to {} %.",
-        console::significant(100 * greatest, 2), console::significant(100 * greatest_miss, 2));
+    result.verdict =
+        fmt::format("The printed coefficients are within {} % of the exact ones and miss the target by up to {} %.",
+                    console::significant(100 * greatest, 2), console::significant(100 * greatest_miss, 2));
     return result;
   }
 };

@@ -121,21 +121,20 @@ std::vector<Remark> remarks() {
 std::vector<Gate> gates(const Curve& curve) {
   const double at_zero = std::sqrt(6 * paper::estimate_factor) / std::numbers::pi;
   const double eps = std::numeric_limits<double>::epsilon();
-  return {
-      // Γ(4) = 6 and the spring's π; a handful of roundings in pow, tgamma and the root.
-      near("ratio at alpha = 0 is sqrt(6*1.641)/pi", ratio(0), at_zero, 8 * eps),
-      near("greatest ratio is that of alpha = 0: an underestimate throughout", curve.greatest, at_zero, 8 * eps),
-      at_most("greatest rise of the ratio with alpha", curve.steepest_up, 0),
-      // t_col has 1e-12; the force falls through zero with a slope of the order of max_force/t_col.
-      at_most("force left at the exact time, over the greatest", curve.force_left, 1e-11),
-      near("Fig. 2, 7850 kg/m³: exact time is the printed 38.6 µs", 1e6 * exact(steel.density), 1e6 * steel.tcol,
-           1e6 * rounding),
-      near("Fig. 2, 7850 kg/m³: estimate is the printed 37.8 µs", 1e6 * estimate(steel.density),
-           1e6 * steel.tcol_estimate, 1e6 * rounding),
-      at_least("Fig. 2, 7680 kg/m³: exact time misses the print by more than its rounding [µs]",
-               1e6 * (steel.tcol - exact(steel.other_density)), 1e6 * rounding),
-      at_least("plain 1.641 would overestimate, against the text: ratio in Fig. 2",
-               plain_estimate(steel.density) / exact(steel.density), 1)};
+  return {// Γ(4) = 6 and the spring's π; a handful of roundings in pow, tgamma and the root.
+          near("ratio at alpha = 0 is sqrt(6*1.641)/pi", ratio(0), at_zero, 8 * eps),
+          near("greatest ratio is that of alpha = 0: an underestimate throughout", curve.greatest, at_zero, 8 * eps),
+          at_most("greatest rise of the ratio with alpha", curve.steepest_up, 0),
+          // t_col has 1e-12; the force falls through zero with a slope of the order of max_force/t_col.
+          at_most("force left at the exact time, over the greatest", curve.force_left, 1e-11),
+          near("Fig. 2, 7850 kg/m³: exact time is the printed 38.6 µs", 1e6 * exact(steel.density), 1e6 * steel.tcol,
+               1e6 * rounding),
+          near("Fig. 2, 7850 kg/m³: estimate is the printed 37.8 µs", 1e6 * estimate(steel.density),
+               1e6 * steel.tcol_estimate, 1e6 * rounding),
+          at_least("Fig. 2, 7680 kg/m³: exact time misses the print by more than its rounding [µs]",
+                   1e6 * (steel.tcol - exact(steel.other_density)), 1e6 * rounding),
+          at_least("plain 1.641 would overestimate, against the text: ratio in Fig. 2",
+                   plain_estimate(steel.density) / exact(steel.density), 1)};
 }
 
 class Tcol : public Study {
@@ -152,10 +151,10 @@ class Tcol : public Study {
     result.gates = gates(curve);
     result.figures = {drawing(result.tables[0])};
     using console::significant;
-    result.figures[0].finding =
-        fmt::format("The ratio starts at {}, falls throughout, is {} at α = 0.5 and {} at 0.97: (57) is good for "
-                    "weakly dissipative grains and always too short.",
-                    significant(ratio(0), 4), significant(ratio(0.5), 3), significant(ratio(largest_alpha), 2));
+    result.figures[0].finding = fmt::format(
+        "The ratio starts at {}, falls throughout, is {} at α = 0.5 and {} at 0.97: (57) is good for "
+        "weakly dissipative grains and always too short.",
+        significant(ratio(0), 4), significant(ratio(0.5), 3), significant(ratio(largest_alpha), 2));
     result.remarks = remarks();
     const auto below = [](double alpha) { return significant(100 * (1 - ratio(alpha)), 2); };
     result.verdict = fmt::format(
