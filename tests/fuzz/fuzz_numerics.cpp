@@ -69,7 +69,7 @@ void a_collision(Arguments& in) {
 void a_calibration(Arguments& in) {
   calibration::Settings settings;
   settings.method = calibration::Method::direct;
-  const auto law = static_cast<LawKind>(in.byte() % 5);
+  const auto law = LawKind::all()[in.byte() % Laws::size];
   const auto end = in.byte() & 1 ? ContactEnd::overlap : ContactEnd::force;
   const double tcol = in.number(), en = in.share();
   try {

@@ -81,7 +81,7 @@ void nlopt_calibration() {
   const auto nlopt = [](const std::string& name, LawKind law) {
     count_warm(name, 1, [&] {
       sink = static_cast<double>(
-          ricochet::calibrate::calibrate({law, ContactEnd::force, {1e-4, 0.5, {0.5, 7.06858e-6}}}).index());
+          ricochet::calibration::calibrate({law, ContactEnd::force, {1e-4, 0.5, {0.5, 7.06858e-6}}}).index());
     });
   };
   nlopt("nlopt_kuwabara_kono", kind_of<KuwabaraKono>);

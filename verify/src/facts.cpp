@@ -10,6 +10,7 @@
 
 #include <CLI/Version.hpp>
 #include <boost/version.hpp>
+#include <fmt/format.h>
 #include <gnu/libc-version.h>
 #include <gsl/gsl_version.h>
 #include <sys/utsname.h>
@@ -21,9 +22,7 @@ namespace ricochet::verify {
 
 namespace {
 
-std::string dotted(int a, int b, int c) {
-  return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
-}
+std::string dotted(int a, int b, int c) { return fmt::format("{}.{}.{}", a, b, c); }
 
 std::string compiler() {
 #ifdef __clang__
@@ -45,10 +44,12 @@ std::string gnuplot() {
 std::string libraries() {
   int major = 0, minor = 0, bugfix = 0;
   ::nlopt_version(&major, &minor, &bugfix);
-  return "Boost " + dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100) +
-         ", GSL " GSL_VERSION + ", NLopt " + dotted(major, minor, bugfix) + ", nlohmann-json " +
-         dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH) +
-         ", CLI11 " CLI11_VERSION ", glibc " + ::gnu_get_libc_version() + ", gnuplot " + gnuplot();
+  return fmt::format(
+      "Boost {}, GSL " GSL_VERSION ", NLopt {}, nlohmann-json {}, fmt {}, CLI11 " CLI11_VERSION
+      ", glibc {}, gnuplot {}",
+      dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100), dotted(major, minor, bugfix),
+      dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH),
+      dotted(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100), ::gnu_get_libc_version(), gnuplot());
 }
 
 /// Now, or the time that reproducible builds set.
@@ -64,13 +65,13 @@ std::string timestamp() {
 
 std::string machine() {
   utsname name{};
-  return ::uname(&name) == 0 ? std::string(name.sysname) + " " + name.release + ", " + name.machine : "unknown";
+  return ::uname(&name) == 0 ? fmt::format("{} {}, {}", name.sysname, name.release, name.machine) : "unknown";
 }
 
 }  // namespace
 
 Facts facts(bool thorough) {
-  return {{"version", std::string("Ricochet ") + ricochet::version},
+  return {{"version", fmt::format("Ricochet {}", ricochet::version)},
           {"time", timestamp()},
           {"extent", thorough ? "every study, thoroughly" : "every study, without what takes long (--quick)"},
           {"compiler", compiler()},

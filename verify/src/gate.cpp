@@ -2,6 +2,8 @@
 
 #include <console/number.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -39,10 +41,10 @@ bool all_pass(const std::vector<Gate>& gates) {
 
 std::string bound_text(const Gate& gate) {
   const auto text = [](double value) { return console::significant(value, 6); };
-  if (gate.low == -open) return "<= " + text(gate.high);
-  if (gate.high == open) return ">= " + text(gate.low);
-  if (gate.low == gate.high) return "= " + text(gate.low);
-  return "in [" + text(gate.low) + ", " + text(gate.high) + "]";
+  if (gate.low == -open) return fmt::format("<= {}", text(gate.high));
+  if (gate.high == open) return fmt::format(">= {}", text(gate.low));
+  if (gate.low == gate.high) return fmt::format("= {}", text(gate.low));
+  return fmt::format("in [{}, {}]", text(gate.low), text(gate.high));
 }
 
 std::optional<double> room_taken(const Gate& gate) {

@@ -3,6 +3,8 @@
 #include <console/html.hpp>
 #include <console/number.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -42,9 +44,9 @@ Count count(const std::vector<Outcome>& outcomes) {
 }
 
 std::string summary(const Count& all) {
-  std::string text = std::to_string(all.gates - all.failed) + " of " + std::to_string(all.gates) + " gates passed";
-  if (all.failed) text += ", " + std::to_string(all.failed) + " failed";
-  if (all.broken) text += "; " + std::to_string(all.broken) + (all.broken == 1 ? " study" : " studies") + " broke down";
+  std::string text = fmt::format("{} of {} gates passed", all.gates - all.failed, all.gates);
+  if (all.failed) text += fmt::format(", {} failed", all.failed);
+  if (all.broken) text += fmt::format("; {} {} broke down", all.broken, all.broken == 1 ? "study" : "studies");
   return text + ".";
 }
 
@@ -56,9 +58,8 @@ std::string overview(const std::vector<Outcome>& outcomes) {
               "The studies");
   std::vector<std::string> names;
   for (const Outcome& o : outcomes) {
-    names.push_back("<a href=\"#" + anchor(o) + "\">" + escaped(o.study->name()) + "</a>");
-    const std::string gates =
-        o.result ? std::to_string(passed_gates(*o.result)) + " of " + std::to_string(o.result->gates.size()) : "-";
+    names.push_back(fmt::format("<a href=\"#{}\">{}</a>", anchor(o), escaped(o.study->name())));
+    const std::string gates = o.result ? fmt::format("{} of {}", passed_gates(*o.result), o.result->gates.size()) : "-";
     table.row({o.study->name(),
                std::string(!o.error.empty() ? "broke down"
                            : passed(o)      ? "passed"
@@ -119,12 +120,13 @@ std::string remarks(const std::vector<Outcome>& outcomes) {
   for (const Outcome& outcome : outcomes)
     if (outcome.result)
       for (const Remark& remark : outcome.result->remarks)
-        list += "<dt><strong>" + escaped(remark.about) + "</strong></dt><dd>" + escaped(remark.text) + " <a href=\"#" +
-                anchor(outcome) + "\">" + escaped(outcome.study->name()) + "</a></dd>\n";
+        list += fmt::format("<dt><strong>{}</strong></dt><dd>{} <a href=\"#{}\">{}</a></dd>\n", escaped(remark.about),
+                            escaped(remark.text), anchor(outcome), escaped(outcome.study->name()));
   if (list.empty()) return {};
-  return "<h2 id=\"print\">Where the print and the numbers differ</h2>\n<p>Parts of the paper's print are illegible or "
-         "inconsistent; the numbers here were computed in this run.</p>\n<dl class=\"facts\">\n" +
-         list + "</dl>\n";
+  return fmt::format(
+      "<h2 id=\"print\">Where the print and the numbers differ</h2>\n<p>Parts of the paper's print are illegible or "
+      "inconsistent; the numbers here were computed in this run.</p>\n<dl class=\"facts\">\n{}</dl>\n",
+      list);
 }
 
 std::string figures(const Outcome& outcome) {
@@ -141,24 +143,24 @@ std::string figures(const Outcome& outcome) {
 
 std::string section(const Outcome& outcome) {
   const std::string id = anchor(outcome), name = outcome.study->name();
-  std::string html = "<section aria-labelledby=\"" + id + "\">\n<h2 id=\"" + id + "\">" + escaped(name) + " " +
-                     console::html_status(passed(outcome)) + "</h2>\n<p><strong>Claimed:</strong> " +
-                     escaped(outcome.study->claim()) + ".</p>\n";
+  std::string html =
+      fmt::format("<section aria-labelledby=\"{}\">\n<h2 id=\"{}\">{} {}</h2>\n<p><strong>Claimed:</strong> {}.</p>\n",
+                  id, id, escaped(name), console::html_status(passed(outcome)), escaped(outcome.study->claim()));
   if (!outcome.error.empty())
-    html += "<p class=\"verdict\"><strong>Broke down:</strong> " + escaped(outcome.error) + "</p>\n";
+    html += fmt::format("<p class=\"verdict\"><strong>Broke down:</strong> {}</p>\n", escaped(outcome.error));
   if (!outcome.result) return html + "</section>\n";
   const StudyResult& result = *outcome.result;
   if (!result.verdict.empty())
-    html += "<p class=\"verdict\"><strong>Found:</strong> " + escaped(result.verdict) + "</p>\n";
+    html += fmt::format("<p class=\"verdict\"><strong>Found:</strong> {}</p>\n", escaped(result.verdict));
   html += figures(outcome);
   if (!result.tables.empty()) html += "<h3>What was measured</h3>\n";
   for (std::size_t i = 0; i < result.tables.size(); ++i) {
     const std::string file = table_file(*outcome.study, i);
-    html += console::html_table(result.tables[i],
-                                {.id = name + "-table-" + std::to_string(i + 1), .links = {{file, file}}});
+    html +=
+        console::html_table(result.tables[i], {.id = fmt::format("{}-table-{}", name, i + 1), .links = {{file, file}}});
   }
-  html += "<h3>Gates</h3>\n<p>" + summary({result.gates.size(), result.gates.size() - passed_gates(result), 0}) +
-          " Everything as <a href=\"" + name + ".json\">" + name + ".json</a>.</p>\n";
+  html += fmt::format("<h3>Gates</h3>\n<p>{} Everything as <a href=\"{}.json\">{}.json</a>.</p>\n",
+                      summary({result.gates.size(), result.gates.size() - passed_gates(result), 0}), name, name);
   const auto mine = by_weight({&outcome, 1});
   if (!mine.empty()) html += gates_table(mine, name + "-gates", "Gates of " + name, false);
   return html + "</section>\n";
@@ -166,7 +168,8 @@ std::string section(const Outcome& outcome) {
 
 std::string made(const Facts& made_by) {
   std::string html = "<dl class=\"facts\">\n";
-  for (const auto& [what, value] : made_by) html += "<dt>" + escaped(what) + "</dt><dd>" + escaped(value) + "</dd>\n";
+  for (const auto& [what, value] : made_by)
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(what), escaped(value));
   return html + "</dl>\n";
 }
 
@@ -175,19 +178,18 @@ std::string made(const Facts& made_by) {
 std::string report_page(const std::vector<Outcome>& outcomes, const Facts& made_by) {
   const Count all = count(outcomes);
   const bool good = all.failed == 0 && all.broken == 0;
-  std::string body =
-      "<header>\n<h1>What Ricochet verified</h1>\n<p class=\"lead\">" + console::html_status(good) + " " +
-      escaped(summary(all)) +
-      "</p>\n<p>Every claim of J. S. Leszczynski, Phys. Rev. E 70, 051315 (2004), on the fractional interaction law, "
-      "and every claim of "
-      "this program about itself, measured against bounds that were derived beforehand.</p>\n" +
-      made(made_by) + "</header>\n<main id=\"content\">\n" + overview(outcomes) + remarks(outcomes) +
-      "<h2 id=\"gates\">Gates</h2>\n<p>A gate is a number and the bounds that it must keep. What failed comes "
-      "first, then what came nearest to its bound. The whole run as <a href=\"report.json\">report.json</a>.</p>\n" +
-      gates_table(by_weight(outcomes), "all-gates", "All gates", true);
+  std::string body = fmt::format(
+      "<header>\n<h1>What Ricochet verified</h1>\n<p class=\"lead\">{} {}</p>\n<p>Every claim of J. S. Leszczynski, "
+      "Phys. "
+      "Rev. E 70, 051315 (2004), on the fractional interaction law, and every claim of this program about itself, "
+      "measured against bounds that were derived beforehand.</p>\n{}</header>\n<main id=\"content\">\n{}{}<h2 "
+      "id=\"gates\">Gates</h2>\n<p>A gate is a number and the bounds that it must keep. What failed comes first, then "
+      "what came nearest to its bound. The whole run as <a href=\"report.json\">report.json</a>.</p>\n{}",
+      console::html_status(good), escaped(summary(all)), made(made_by), overview(outcomes), remarks(outcomes),
+      gates_table(by_weight(outcomes), "all-gates", "All gates", true));
   for (const Outcome& outcome : outcomes) body += section(outcome);
-  body += "</main>\n<footer><p>" + escaped(made_by.front().second) +
-          ". SI units unless a column says otherwise.</p></footer>\n";
+  body += fmt::format("</main>\n<footer><p>{}. SI units unless a column says otherwise.</p></footer>\n",
+                      escaped(made_by.front().second));
   return console::html_page("What Ricochet verified: " + summary(all), body);
 }
 

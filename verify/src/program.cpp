@@ -9,6 +9,7 @@
 #include <console/signals.hpp>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -32,9 +33,9 @@ struct Options {
 Exit judged(const Study& study, const StudyResult& result) {
   for (const Gate& gate : result.gates)
     if (!gate.pass)
-      console::complain("verify", study.name() + ": gate failed: " + gate.name + " = " +
-                                      (std::isfinite(gate.value) ? console::shortest(gate.value) : "not finite") +
-                                      ": must be " + bound_text(gate));
+      console::complain("verify", fmt::format("{}: gate failed: {} = {}: must be {}", study.name(), gate.name,
+                                              std::isfinite(gate.value) ? console::shortest(gate.value) : "not finite",
+                                              bound_text(gate)));
   return all_pass(result.gates) ? Exit::done : Exit::gate_failed;
 }
 
@@ -72,7 +73,7 @@ Outcome run_guarded(Study& study, const Options& options, Folder& folder, Exit& 
     throw;
   } catch (const std::exception& error) {
     outcome.error = error.what();
-    console::complain("verify", study.name() + ": " + error.what());
+    console::complain("verify", fmt::format("{}: {}", study.name(), error.what()));
     worst = std::max(worst, console::exit_code(error));
   }
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -86,7 +87,7 @@ std::string shown_all(const std::vector<Outcome>& outcomes, Format format) {
   for (const Outcome& outcome : outcomes) {
     if (!outcome.result) continue;
     for (Gate gate : outcome.result->gates) {
-      gate.name = outcome.study->name() + ": " + gate.name;
+      gate.name = fmt::format("{}: {}", outcome.study->name(), gate.name);
       all["gates"].push_back(to_json(gate));
     }
     if (format == Format::json)

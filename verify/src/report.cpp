@@ -3,6 +3,8 @@
 
 #include <console/output.hpp>
 
+#include <fmt/format.h>
+
 namespace ricochet::verify {
 
 namespace {
@@ -23,7 +25,7 @@ Json files_of(const Outcome& outcome) {
 }  // namespace
 
 std::string table_file(const Study& study, std::size_t table) {
-  return study.name() + (table ? "-" + std::to_string(table + 1) : "") + ".csv";
+  return table ? fmt::format("{}-{}.csv", study.name(), table + 1) : study.name() + ".csv";
 }
 
 std::vector<std::string> write_study(const Study& study, const StudyResult& result, console::OutputFolder& folder) {
@@ -47,7 +49,7 @@ Json report_json(const std::vector<Outcome>& outcomes, const Facts& made_by) {
       study["files"] = files_of(outcome);
       study.update(study_json(*outcome.study, *outcome.result));
       for (Gate gate : outcome.result->gates) {
-        gate.name = outcome.study->name() + ": " + gate.name;
+        gate.name = fmt::format("{}: {}", outcome.study->name(), gate.name);
         json["gates"].push_back(to_json(gate));
       }
     }

@@ -76,9 +76,9 @@ struct FiveSpheres {
   struct Ball {
     double radius, density;
     std::array<double, 3> position;
-    double fall = 0;
+    double velocity_z = 0;
   };
-  std::array<Ball, 5> balls{{{0.02, 2000, {0, 0.1, 0.23}, 5},
+  std::array<Ball, 5> balls{{{0.02, 2000, {0, 0.1, 0.23}, -5},
                              {0.01, 2000, {0.001, 0.125, 0.205}},
                              {0.007, 1000, {-0.002, 0.090, 0.198}},
                              {0.005, 1000, {-0.004, 0.120, 0.186}},

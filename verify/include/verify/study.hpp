@@ -36,8 +36,8 @@ struct StudyResult {
 };
 
 /// One thing that is verified: a claim, the measurement, and the gates. A study has no physics of its own: it calls
-/// the library. To add one, write verify/studies/<name>.cpp with `std::unique_ptr<Study> <name>_study()` and name it
-/// in verify/studies.inc.
+/// the library. To add one, write verify/studies/<name>/study.cpp with `std::unique_ptr<Study> <name>_study()` and
+/// name it in verify/studies.inc.
 class Study {
  public:
   virtual ~Study() = default;

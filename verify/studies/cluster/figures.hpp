@@ -1,6 +1,6 @@
 #pragma once
 
-#include "five_spheres.hpp"
+#include "run.hpp"
 
 #include <console/plot.hpp>
 

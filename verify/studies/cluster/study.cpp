@@ -1,10 +1,14 @@
+#include "../paper.hpp"
 #include "figures.hpp"
-#include "five_spheres.hpp"
+#include "run.hpp"
 
 #include <verify/registry.hpp>
 
 #include <console/number.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace ricochet::verify {
@@ -16,8 +20,8 @@ using console::Json;
 using console::Notation;
 using console::Table;
 
-constexpr double strong_alpha = 0.01, weak_alpha = 0.97;
-constexpr double printed_k = 1000;  // kg/s²
+constexpr double strong_alpha = paper::five_spheres.strong_alpha, weak_alpha = paper::five_spheres.weak_alpha;
+constexpr double printed_k = paper::five_spheres.k;
 constexpr double stiffnesses[] = {1e3, 1e4, 1e5, 1e6, 1e7};
 constexpr double duration = 0.03, sampling = 1e-4;  // s
 
@@ -29,23 +33,22 @@ double step_for(double alpha, double k) {
 Run run(double alpha, double k) { return cluster::run(alpha, k, duration, step_for(alpha, k), sampling); }
 
 Table collisions(const Run& run) {
-  Table table(
-      {{"pair"},
-       {"t_begin", "ms", {Notation::Kind::fixed, 4}},
-       {"t_end", "ms", {Notation::Kind::fixed, 4}},
-       {"t_col", "ms", {Notation::Kind::fixed, 4}},
-       {"separation", "ms", {Notation::Kind::fixed, 4}},
-       {"ended"},
-       {"phases"}},
-      "Fig. 9: collisions at α = " + console::shortest(run.alpha) + ", k = " + console::shortest(run.k) + " kg/s²");
+  Table table({{"pair"},
+               {"t_begin", "ms", {Notation::Kind::fixed, 4}},
+               {"t_end", "ms", {Notation::Kind::fixed, 4}},
+               {"t_col", "ms", {Notation::Kind::fixed, 4}},
+               {"separation", "ms", {Notation::Kind::fixed, 4}},
+               {"ended"},
+               {"phases"}},
+              fmt::format("Fig. 9: collisions at α = {}, k = {} kg/s²", run.alpha, run.k));
   for (const Encounter& e : run.collisions) {
     std::string phases;
     for (std::size_t p = 0; p < phase_count; ++p)
       if (std::isfinite(e.phase_begin[p]))
-        phases += (phases.empty() ? "" : ", ") + std::string(name(static_cast<Phase>(p)));
-    table.row({std::to_string(e.i + 1) + "-" + std::to_string(e.j + 1), 1e3 * e.begin,
-               console::number_or_blank(1e3 * e.end), console::number_or_blank(1e3 * (e.end - e.begin)),
-               console::number_or_blank(1e3 * e.separation), std::string(name(e.how)), phases});
+        phases += fmt::format("{}{}", phases.empty() ? "" : ", ", name(static_cast<Phase>(p)));
+    table.row({cluster::pair_name(e), 1e3 * e.begin, console::number_or_blank(1e3 * e.end),
+               console::number_or_blank(1e3 * (e.end - e.begin)), console::number_or_blank(1e3 * e.separation),
+               std::string(name(e.how)), phases});
   }
   return table;
 }
@@ -120,7 +123,7 @@ Table convergence_table(const std::vector<Convergence>& all) {
 }
 
 void conservation_gates(std::vector<Gate>& gates, const Run& r) {
-  const std::string at = ", alpha = " + console::shortest(r.alpha);
+  const std::string at = fmt::format(", alpha = {}", r.alpha);
   gates.push_back(at_most("momentum, greatest relative change" + at, r.momentum_drift, 1e-12));
   gates.push_back(at_most("angular momentum, greatest relative change" + at, r.angular_drift, 1e-12));
   gates.push_back(at_most("kinetic and stored energy, greatest relative rise" + at, r.energy_growth, 1e-6));
@@ -132,7 +135,7 @@ std::vector<Gate> gates(const std::vector<Run>& strong, const std::vector<Run>& 
   conservation_gates(all, strong.front());
   conservation_gates(all, weak.front());
   for (const Convergence& c : orders) {
-    const std::string at = ", alpha = " + console::shortest(c.alpha);
+    const std::string at = fmt::format(", alpha = {}", c.alpha);
     all.push_back(between("order of the velocities" + at, c.velocity_order, 2 - c.alpha - 0.3, 2.5));
     all.push_back(between("order of the energy balance" + at, c.energy_order, 2 - c.alpha - 0.3, 2.5));
   }
@@ -147,9 +150,23 @@ std::vector<Gate> gates(const std::vector<Run>& strong, const std::vector<Run>& 
   all.push_back(at_most("strong, k = 1e6: most pairs at once (binary)", at(strong, 1e6).most_pairs, 1));
   all.push_back(at_most("strong, k = 1e7: most pairs at once (binary)", at(strong, 1e7).most_pairs, 1));
   for (const Run& r : weak)
-    all.push_back(at_least("weak, k = " + console::significant(r.k, 1) + ": most pairs at once (multiparticle)",
-                           cluster::overlap(r.collisions, duration).most_pairs, 3));
+    all.push_back(
+        at_least(fmt::format("weak, k = {}: most pairs at once (multiparticle)", console::significant(r.k, 1)),
+                 cluster::overlap(r.collisions, duration).most_pairs, 3));
   return all;
+}
+
+std::string verdict(const std::vector<Run>& strong, const std::vector<Run>& weak) {
+  const Overlap s = cluster::overlap(strong.front().collisions, duration),
+                w = cluster::overlap(weak.front().collisions, duration),
+                hard = cluster::overlap(strong[3].collisions, duration);
+  return fmt::format(
+      "With the printed k = 1000 the strong collisions ({} ms on average) overlap too, {:.0f} % of the time; at k = "
+      "1e6 "
+      "{:.0f} %, and they are binary as the paper shows them. Weak ones ({} ms) are multiparticle at every k, up to {} "
+      "pairs at once.",
+      console::significant(1e3 * s.mean_duration, 3), 100 * s.shared, 100 * hard.shared,
+      console::significant(1e3 * w.mean_duration, 3), w.most_pairs);
 }
 
 class ClusterStudy : public Study {
@@ -172,15 +189,7 @@ class ClusterStudy : public Study {
     result.figures = {
         cluster::trajectories(strong.front(), weak.front()), cluster::velocities(strong.front(), weak.front()),
         cluster::sequence(strong.front(), weak.front(), duration), cluster::binary(strong, weak, duration)};
-    const Overlap s = cluster::overlap(strong.front().collisions, duration),
-                  w = cluster::overlap(weak.front().collisions, duration);
-    const Overlap hard = cluster::overlap(strong[3].collisions, duration);
-    result.verdict =
-        "With the printed k = 1000 the strong collisions (" + console::significant(1e3 * s.mean_duration, 3) +
-        " ms on average) overlap too, " + console::fixed(100 * s.shared, 0) + " % of the time; at k = 1e6 " +
-        console::fixed(100 * hard.shared, 0) + " %, and they are binary as the paper shows them. Weak ones (" +
-        console::significant(1e3 * w.mean_duration, 3) + " ms) are multiparticle at every k, up to " +
-        std::to_string(w.most_pairs) + " pairs at once.";
+    result.verdict = verdict(strong, weak);
     return result;
   }
 };

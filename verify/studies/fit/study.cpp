@@ -1,4 +1,5 @@
-#include "fit_coverage.hpp"
+#include "../paper.hpp"
+#include "coverage.hpp"
 
 #include <verify/registry.hpp>
 
@@ -6,6 +7,8 @@
 #include <console/exit.hpp>
 #include <console/number.hpp>
 #include <console/progress.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +23,7 @@ using calibration::Measurement;
 using console::Table;
 
 // Any mass will do where there are no collision times: e_n then depends on the combinations that the fit reports.
-constexpr double mass = 7.06858e-6;
+constexpr double mass = paper::pair.impact.mass_eff;
 
 struct Source {
   std::string file, label;
@@ -64,7 +67,7 @@ Table table_of(const Source& source, const std::vector<Fit>& fits) {
                {"unit"},
                {"scatter in en", "", {.digits = 3}},
                {"AIC over the best", "", {.digits = 4}}},
-              "Laws fitted to " + source.label);
+              fmt::format("Laws fitted to {}", source.label));
   for (const Fit& fit : fits)
     for (const auto& p : fit.parameters)
       table.row({fit_name(fit.request), p.name, p.value, p.error, p.unit,
@@ -74,24 +77,24 @@ Table table_of(const Source& source, const std::vector<Fit>& fits) {
 
 console::Figure figure_of(const Source& source, const std::vector<Measurement>& data, const std::vector<Fit>& fits) {
   std::vector<console::Column> columns{{"velocity", "m/s"}, {"en"}};
+  const std::string file = source.file + ".csv";
   std::string curves;
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{5}}) {
     columns.push_back({fit_name(fits[i].request)});
-    const std::string name = i == 0 ? "laws of constant restitution" : fit_name(fits[i].request);
-    curves += ", '" + source.file + ".csv' skip 1 using 1:" + std::to_string(columns.size()) +
-              " with lines lw 2 title '" + name + "'";
+    curves += fmt::format(", '{}' skip 1 using 1:{} with lines lw 2 title '{}'", file, columns.size(),
+                          i == 0 ? "laws of constant restitution" : fit_name(fits[i].request));
   }
   Table table(columns);
   for (std::size_t i = 0; i < data.size(); ++i)
     table.row({data[i].velocity, data[i].en, fits[0].predictions[i].en, fits[1].predictions[i].en,
                fits[5].predictions[i].en});
   return {source.file,
-          "Laws fitted to " + source.label + ".",
-          "set logscale x\nset grid\nset xlabel 'impact velocity [m/s]'\nset ylabel 'restitution'\nset yrange [0:1]\n"
-          "plot '" +
-              source.file + ".csv' skip 1 using 1:2 with points pt 7 lc rgb 'black' title 'published fit, sampled'" +
-              curves,
-          {{source.file + ".csv", table.csv()}}};
+          fmt::format("Laws fitted to {}.", source.label),
+          fmt::format("set logscale x\nset grid\nset xlabel 'impact velocity [m/s]'\nset ylabel 'restitution'\n"
+                      "set yrange [0:1]\nplot '{}' skip 1 using 1:2 with points pt 7 lc rgb 'black' title 'published "
+                      "fit, sampled'{}",
+                      file, curves),
+          {{file, table.csv()}}};
 }
 
 /// What the sources show: gates, tables and figures go to `result`; the greatest scatter of α(v) over that of a
@@ -108,7 +111,7 @@ double fit_sources(StudyResult& result) {
     for (const Fit& fit : fits)
       if (constant(fit)) {
         // Least squares of a constant is the mean; the forward model is good to 1e-9, Gauss-Newton to more.
-        const std::string which = source.file + ": " + fit_name(fit.request);
+        const std::string which = fmt::format("{}: {}", source.file, fit_name(fit.request));
         result.gates.push_back(near(which + " has the mean restitution", fit.predictions[0].en, mean, 1e-8));
         result.gates.push_back(holds(which + " is said to misfit", said_to_misfit(fit)));
       }
@@ -125,14 +128,14 @@ std::string case_name(const CoverageCase& one) {
 
 /// Shares that held the truth, lowest and highest; a gate a case on the share farthest from 0.95.
 std::pair<double, double> cover(StudyResult& result, int trials, double slack) {
-  Table table({{"law"},
-               {"times"},
-               {"parameter"},
-               {"truth"},
-               {"stated error / truth", "", {.digits = 3}},
-               {"share of intervals that hold the truth", "", {.digits = 4}}},
-              "Synthetic measurements, fitted " + std::to_string(trials) +
-                  " times: value +- 1.96 standard errors against the truth");
+  Table table(
+      {{"law"},
+       {"times"},
+       {"parameter"},
+       {"truth"},
+       {"stated error / truth", "", {.digits = 3}},
+       {"share of intervals that hold the truth", "", {.digits = 4}}},
+      fmt::format("Synthetic measurements, fitted {} times: value +- 1.96 standard errors against the truth", trials));
   const auto cases = coverage_cases();
   console::Progress progress("verify fit", cases.size());
   double lowest = 1, highest = 0;
@@ -167,12 +170,11 @@ class FitStudy : public Study {
     const int trials = options.thorough ? 2000 : 300;
     const auto [lowest, highest] = cover(result, trials, options.thorough ? 0.02 : 4 * std::sqrt(0.95 * 0.05 / trials));
     const auto failed = std::count_if(result.gates.begin(), result.gates.end(), [](const Gate& g) { return !g.pass; });
-    using console::significant;
-    result.verdict = "An alpha that follows the speed leaves at most " + significant(scatter, 2) +
-                     " of the scatter about a constant restitution; 95 % intervals held the truth in " +
-                     console::fixed(100 * lowest, 1) + " to " + console::fixed(100 * highest, 1) + " % of " +
-                     std::to_string(trials) + " trials each" +
-                     (failed == 0 ? "." : "; gates that failed: " + std::to_string(failed) + ".");
+    result.verdict = fmt::format(
+        "An alpha that follows the speed leaves at most {} of the scatter about a constant restitution; 95 % intervals "
+        "held the truth in {:.1f} to {:.1f} % of {} trials each{}.",
+        console::significant(scatter, 2), 100 * lowest, 100 * highest, trials,
+        failed == 0 ? "" : fmt::format("; gates that failed: {}", failed));
     return result;
   }
 };

@@ -3,6 +3,8 @@
 #include <console/number.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace ricochet::verify {
@@ -21,7 +23,7 @@ constexpr std::size_t most_arms_fine = 16, most_arms_coarse = 10;
 
 void add_kernel_counts(StudyResult& result, bool thorough) {
   std::vector<console::Column> columns{{"tolerance", "", {Notation::Kind::scientific, 0}}, {"T/delta"}};
-  for (const double alpha : counted_orders) columns.push_back({"alpha " + console::shortest(alpha)});
+  for (const double alpha : counted_orders) columns.push_back({fmt::format("alpha {}", alpha)});
   columns.push_back({"worst error", "", {Notation::Kind::scientific, 1}});
   console::Table table(columns, "Maxwell arms of the memory kernel; spring and dashpot are not counted");
   std::vector<double> ratios{10, 30, 100, 1000};

@@ -1,4 +1,8 @@
-#include "five_spheres.hpp"
+#include "run.hpp"
+
+#include "../paper.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +11,14 @@
 namespace ricochet::verify::cluster {
 
 ClusterSetup five_spheres(double alpha, double k) {
-  // Sec. IV of the paper, text before Fig. 7; SI units.
-  constexpr double radius[] = {0.02, 0.01, 0.007, 0.005, 0.009};
-  constexpr double density[] = {2000, 2000, 1000, 1000, 1000};
-  constexpr Vec3 place[] = {
-      {0, 0.1, 0.23}, {0.001, 0.125, 0.205}, {-0.002, 0.090, 0.198}, {-0.004, 0.120, 0.186}, {-0.001, 0.1, 0.18}};
+  constexpr paper::FiveSpheres five = paper::five_spheres;
   ClusterSetup setup;
-  for (int i = 0; i < 5; ++i)
-    setup.spheres.push_back({radius[i], density[i], place[i], i == 0 ? Vec3{0, 0, -5} : Vec3{}, {}, 0});
-  setup.interactions.insert({{0, 0}, {Fractional(k, 1, alpha), Friction(0.5, 0.5, 0)}});
+  for (const auto& ball : five.balls) {
+    const auto& [x, y, z] = ball.position;
+    setup.spheres.push_back({ball.radius, ball.density, {x, y, z}, {0, 0, ball.velocity_z}, {}, 0});
+  }
+  setup.interactions.insert(
+      {{0, 0}, {Fractional(k, five.c, alpha), Friction(five.mu_static, five.mu_dynamic, five.decay)}});
   return setup;
 }
 
@@ -80,6 +83,8 @@ Run run(double alpha, double k, double duration, double step, double sample_inte
             [](const Encounter& a, const Encounter& b) { return a.begin < b.begin; });
   return run;
 }
+
+std::string pair_name(const Encounter& e) { return fmt::format("{}-{}", e.i + 1, e.j + 1); }
 
 Overlap overlap(const std::vector<Encounter>& collisions, double until) {
   std::vector<std::pair<double, int>> events;

@@ -3,6 +3,7 @@
 #include <ricochet/motion/cluster.hpp>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace ricochet::verify::cluster {
@@ -28,6 +29,9 @@ struct Run {
 };
 
 Run run(double alpha, double k, double duration, double step, double sample_interval);
+
+/// "1-2", counted from one as the paper does.
+std::string pair_name(const Encounter& e);
 
 /// How collisions share the time: from t_b to t_e of every pair.
 struct Overlap {

@@ -1,4 +1,6 @@
-#include "fit_coverage.hpp"
+#include "coverage.hpp"
+
+#include "../paper.hpp"
 
 #include <ricochet/collision/damping_ratio.hpp>
 
@@ -11,7 +13,7 @@ namespace {
 
 using namespace calibration;
 
-constexpr double mass = 7.06858e-6;
+constexpr double mass = paper::pair.impact.mass_eff;
 constexpr int speeds = 12;
 constexpr double en_sigma = 0.01, tcol_share = 0.02;
 
