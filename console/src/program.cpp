@@ -21,8 +21,9 @@ namespace ricochet::console {
 
 namespace {
 
-const std::map<std::string, Format> formats{
-    {"table", Format::table}, {"json", Format::json}, {"csv", Format::csv}, {"markdown", Format::markdown}};
+const std::map<std::string, Format> formats{{"table", Format::table}, {"json", Format::json},
+                                            {"csv", Format::csv},     {"markdown", Format::markdown},
+                                            {"latex", Format::latex}, {"junit", Format::junit}};
 
 bool has_flag(const CLI::App& app, const std::string& flag) {
   if (app.get_option_no_throw(flag)) return true;
@@ -79,14 +80,16 @@ CLI::Option* add_any_number(CLI::App& app, const std::string& name, Target& targ
 
 }  // namespace
 
-void add_output_options(CLI::App& app, OutputOptions& options) {
-  const auto read = [&options](const std::string& name) {
+void add_output_options(CLI::App& app, OutputOptions& options, bool reports) {
+  const std::string accepted = reports ? "json, csv, markdown, latex or junit" : "json, csv or markdown";
+  const auto read = [&options, reports, accepted](const std::string& name) {
     const auto found = formats.find(name);
-    if (found == formats.end())
-      throw CLI::ValidationError("--format = " + name + ": must be table, json, csv or markdown");
+    const bool known = found != formats.end();
+    if (!known || (!reports && (found->second == Format::latex || found->second == Format::junit)))
+      throw CLI::ValidationError("--format = " + name + ": must be table, " + accepted);
     options.format = found->second;
   };
-  app.add_option_function<std::string>("--format", read, "table (default), json, csv or markdown")->type_name("FORMAT");
+  app.add_option_function<std::string>("--format", read, "table (default), " + accepted)->type_name("FORMAT");
   app.add_option("-o,--output", options.file, "write to this file, whole or not at all")->type_name("FILE");
 }
 

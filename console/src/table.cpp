@@ -174,9 +174,11 @@ std::string Table::render(Format format) const {
     case Format::table: return text();
     case Format::csv: return csv();
     case Format::markdown: return markdown();
-    case Format::json: break;
+    case Format::latex: return latex();
+    case Format::json:
+    case Format::junit: break;
   }
-  throw std::logic_error("a table alone has no JSON document");
+  throw std::logic_error("a table alone is no document");
 }
 
 std::string render_all(const std::vector<Table>& tables, Format format) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
 namespace ricochet::verify {
 
 using console::Format;
@@ -25,13 +27,38 @@ Json study_json(const Study& study, const StudyResult& result) {
   return json;
 }
 
+console::Table cell_table() { return console::Table({{"study"}, {"table"}, {"row"}, {"column"}, {"unit"}, {"value"}}); }
+
+void add_cells(console::Table& cells, const std::string& study, const StudyResult& result) {
+  for (const console::Table& table : result.tables)
+    for (std::size_t row = 0; row < table.rows().size(); ++row)
+      for (std::size_t i = 0; i < table.columns().size(); ++i) {
+        const console::Column& column = table.columns()[i];
+        cells.row({study, table.caption(), static_cast<std::int64_t>(row + 1), column.name, column.unit,
+                   table.rows()[row][i]});
+      }
+}
+
+namespace {
+
+std::string study_csv(const Study& study, const StudyResult& result) {
+  if (result.data) return result.data->csv();
+  if (result.tables.size() == 1) return result.tables[0].csv();
+  console::Table cells = cell_table();
+  add_cells(cells, study.name(), result);
+  return cells.csv();
+}
+
+}  // namespace
+
 std::string study_text(const Study& study, const StudyResult& result, Format format) {
   if (format == Format::json) return console::document(study_json(study, result));
+  if (format == Format::csv) return study_csv(study, result);
+  if (format == Format::junit) return junit_document(junit_suite(study.name(), result.gates));
   auto tables = result.tables;
-  // CSV is for the data; whoever wants the gates in a machine's hands takes the JSON.
-  if (format != Format::csv) tables.push_back(gate_table(result.gates));
+  tables.push_back(gate_table(result.gates));
   std::string text = console::render_all(tables, format);
-  if (format != Format::csv && !result.verdict.empty()) text += "\n" + result.verdict + "\n";
+  if (format != Format::latex && !result.verdict.empty()) text += "\n" + result.verdict + "\n";
   return text;
 }
 

@@ -155,7 +155,8 @@ std::string section(const Outcome& outcome) {
   html += figures(outcome);
   if (!result.tables.empty()) html += "<h3>What was measured</h3>\n";
   for (std::size_t i = 0; i < result.tables.size(); ++i) {
-    const std::string file = table_file(*outcome.study, i);
+    const auto files = table_files(*outcome.study, result);
+    const std::string& file = files[std::min(i, files.size() - 1)];
     html +=
         console::html_table(result.tables[i], {.id = fmt::format("{}-table-{}", name, i + 1), .links = {{file, file}}});
   }

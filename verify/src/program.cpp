@@ -80,9 +80,8 @@ Outcome run_guarded(Study& study, const Options& options, Folder& folder, Exit& 
   return outcome;
 }
 
-/// "ricochet/all/1", or every study's tables one after the other.
-std::string shown_all(const std::vector<Outcome>& outcomes, Format format) {
-  std::string text;
+/// "ricochet/all/1".
+Json json_of_all(const std::vector<Outcome>& outcomes) {
   Json all{{"schema", "ricochet/all/1"}, {"gates", Json::array()}, {"studies", Json::array()}};
   for (const Outcome& outcome : outcomes) {
     if (!outcome.result) continue;
@@ -90,12 +89,28 @@ std::string shown_all(const std::vector<Outcome>& outcomes, Format format) {
       gate.name = fmt::format("{}: {}", outcome.study->name(), gate.name);
       all["gates"].push_back(to_json(gate));
     }
-    if (format == Format::json)
-      all["studies"].push_back(study_json(*outcome.study, *outcome.result));
+    all["studies"].push_back(study_json(*outcome.study, *outcome.result));
+  }
+  return all;
+}
+
+/// "ricochet/all/1", one CSV of all cells, one JUnit document, or every study's tables one after the other.
+std::string shown_all(const std::vector<Outcome>& outcomes, Format format) {
+  if (format == Format::json) return console::document(json_of_all(outcomes));
+  std::string text;
+  console::Table cells = cell_table();
+  for (const Outcome& outcome : outcomes) {
+    if (!outcome.result) continue;
+    const std::string name = outcome.study->name();
+    if (format == Format::csv)
+      add_cells(cells, name, *outcome.result);
+    else if (format == Format::junit)
+      text += junit_suite(name, outcome.result->gates);
     else
       text += (text.empty() ? "" : "\n") + study_text(*outcome.study, *outcome.result, format);
   }
-  return format == Format::json ? console::document(all) : text;
+  if (format == Format::csv) return cells.csv();
+  return format == Format::junit ? junit_document(text) : text;
 }
 
 Exit run_all(const Studies& studies, const Options& options) {
@@ -124,7 +139,7 @@ Exit run_all(const Studies& studies, const Options& options) {
 }
 
 void add_common(CLI::App& app, Options& options, const std::string& folder_flag, const std::string& folder_help) {
-  console::add_output_options(app, options.output);
+  console::add_output_options(app, options.output, true);
   app.add_option(folder_flag, options.folder, folder_help)->type_name("DIR");
 }
 
@@ -135,7 +150,8 @@ int run_verify(const Studies& studies, int argc, const char* const* argv) {
   console::add_version(app);
   app.require_subcommand(1);
   app.footer(
-      "Every study takes --format table|json|csv|markdown and -o FILE; `verify STUDY --help` lists the rest.\n"
+      "Every study takes --format table|json|csv|markdown|latex|junit and -o FILE; `verify STUDY --help` lists the "
+      "rest.\n"
       "Exit code 0: every gate passed; 1: a gate failed; 2: bad input; 4: a study broke down.");
   Options options;
   const auto thorough = [&options](CLI::App& command) {

@@ -11,9 +11,21 @@ namespace {
 
 using console::Json;
 
+std::string gate_file(const Study& study) { return study.name() + "-gates.csv"; }
+
+/// The gates as data: an open side is empty.
+console::Table gate_data(const std::vector<Gate>& gates) {
+  console::Table table({{"gate"}, {"value"}, {"low"}, {"high"}, {"pass"}});
+  for (const Gate& gate : gates)
+    table.row({gate.name, console::number_or_blank(gate.value), console::number_or_blank(gate.low),
+               console::number_or_blank(gate.high), gate.pass});
+  return table;
+}
+
 Json files_of(const Outcome& outcome) {
   Json files = Json::array({outcome.study->name() + ".json"});
-  for (std::size_t i = 0; i < outcome.result->tables.size(); ++i) files.push_back(table_file(*outcome.study, i));
+  files.push_back(gate_file(*outcome.study));
+  for (const std::string& file : table_files(*outcome.study, *outcome.result)) files.push_back(file);
   for (std::size_t i = 0; i < outcome.pictures.size(); ++i) {
     const console::Figure& figure = outcome.result->figures[i];
     for (const char* ending : {".svg", ".png"}) files.push_back(figure.name + ending);
@@ -24,13 +36,21 @@ Json files_of(const Outcome& outcome) {
 
 }  // namespace
 
-std::string table_file(const Study& study, std::size_t table) {
-  return table ? fmt::format("{}-{}.csv", study.name(), table + 1) : study.name() + ".csv";
+std::vector<std::string> table_files(const Study& study, const StudyResult& result) {
+  std::vector<std::string> files{study.name() + ".csv"};
+  if (result.data || result.tables.empty()) return files;
+  for (std::size_t i = 1; i < result.tables.size(); ++i) files.push_back(fmt::format("{}-{}.csv", study.name(), i + 1));
+  return files;
 }
 
 std::vector<std::string> write_study(const Study& study, const StudyResult& result, console::OutputFolder& folder) {
   folder.add(study.name() + ".json", console::document(study_json(study, result)));
-  for (std::size_t i = 0; i < result.tables.size(); ++i) folder.add(table_file(study, i), result.tables[i].csv());
+  folder.add(gate_file(study), gate_data(result.gates).csv());
+  if (result.data)
+    folder.add(study.name() + ".csv", result.data->csv());
+  else
+    for (std::size_t i = 0; i < result.tables.size(); ++i)
+      folder.add(table_files(study, result)[i], result.tables[i].csv());
   std::vector<std::string> pictures;
   for (const console::Figure& figure : result.figures) pictures.push_back(console::draw(figure, folder));
   return pictures;

@@ -1,6 +1,8 @@
 #include "convergence.hpp"
 
-#include <console/number.hpp>
+#include <ricochet/verify/order.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,24 +10,44 @@
 namespace ricochet::verify {
 
 using console::Json;
-using console::Notation;
-using console::Table;
 
 double Convergence::observed() const {
   std::size_t n = errors.size();
   while (n > 4 && errors[n - 1] < rounding * scale) --n;
-  return n < 4 ? std::nan("") : std::log2(errors[n - 4] / errors[n - 1]) / 3;
+  if (n < 2) return std::nan("");
+  const std::size_t coarse = n < 4 ? 0 : n - 4;
+  const double refinement = static_cast<double>(steps[n - 1]) / static_cast<double>(steps[coarse]);
+  return std::log2(errors[coarse] / errors[n - 1]) / std::log2(refinement);
 }
+
+double Convergence::pairwise(std::size_t i) const {
+  if (i == 0) return std::nan("");
+  return pairwise_order(1 / static_cast<double>(steps[i - 1]), errors[i - 1], 1 / static_cast<double>(steps[i]),
+                        errors[i]);
+}
+
+namespace {
+
+/// (N_fine/N_coarse)^p of the last two meshes.
+double gain(const Convergence& c) {
+  const std::size_t n = c.steps.size();
+  return std::pow(static_cast<double>(c.steps[n - 1]) / static_cast<double>(c.steps[n - 2]),
+                  c.statement.order.value_or(1));
+}
+
+}  // namespace
 
 double Convergence::richardson_error() const {
   const std::size_t n = values.size();
-  const double factor = std::exp2(statement.order.value_or(1));
+  if (n < 2 || steps.size() < 2) return std::nan("");
+  const double factor = gain(*this);
   return (factor * values[n - 1] - values[n - 2]) / (factor - 1);
 }
 
 double Convergence::grid_convergence_index() const {
   const std::size_t n = values.size();
-  return 1.25 * std::fabs(values[n - 1] - values[n - 2]) / (std::exp2(statement.order.value_or(1)) - 1) / scale;
+  if (n < 2 || steps.size() < 2) return std::nan("");
+  return 1.25 * std::fabs(values[n - 1] - values[n - 2]) / (gain(*this) - 1) / scale;
 }
 
 bool Convergence::pass() const {
@@ -52,42 +74,10 @@ Json to_rows(const std::vector<Convergence>& all) {
   return rows;
 }
 
-Table to_table(const std::vector<Convergence>& all, const std::string& caption) {
-  const Notation order{Notation::Kind::fixed, 2}, error{Notation::Kind::scientific, 1};
-  bool offsets = false;
-  for (const Convergence& c : all) offsets |= !c.worst.empty();
-  std::vector<console::Column> columns{{"scheme"},
-                                       {"function"},
-                                       {"alpha", "", order},
-                                       {"stated", "", order},
-                                       {"observed", "", order},
-                                       {"allowed", "", order},
-                                       {"N"},
-                                       {"coarsest error", "", error},
-                                       {"finest error", "", error}};
-  if (offsets) columns.push_back({"finest, worst offset", "", error});
-  for (const char* name : {"Richardson error", "GCI"}) columns.push_back({name, "", error});
-  columns.push_back({"pass"});
-  Table table(columns, caption);
-  for (const Convergence& c : all) {
-    const bool exact = !c.statement.order;
-    std::vector<console::Cell> cells{c.statement.scheme,
-                                     c.statement.function,
-                                     c.statement.alpha,
-                                     exact ? console::Cell("exact") : console::Cell(*c.statement.order),
-                                     exact ? console::blank() : console::number_or_blank(c.observed()),
-                                     exact ? console::blank() : console::Cell(c.statement.allowed),
-                                     std::to_string(c.steps.front()) + ".." + std::to_string(c.steps.back()),
-                                     c.errors.front(),
-                                     c.errors.back()};
-    if (offsets) cells.push_back(c.worst.empty() ? console::blank() : console::Cell(c.worst.back()));
-    cells.push_back(exact ? console::blank() : console::number_or_blank(c.richardson_error()));
-    cells.push_back(exact ? console::blank() : console::number_or_blank(c.grid_convergence_index()));
-    cells.push_back(c.pass());
-    table.row(std::move(cells));
-  }
-  table.note("observed: mean of the last three pairs of meshes. exact: the error is rounding, at most 1e-11.");
-  return table;
+std::vector<std::size_t> doubled_steps(std::size_t finest) {
+  std::vector<std::size_t> steps;
+  for (std::size_t n = 16; n <= finest; n *= 2) steps.push_back(n);
+  return steps;
 }
 
 std::vector<Gate> to_gates(const std::vector<Convergence>& all) {
@@ -112,9 +102,9 @@ std::vector<Gate> to_gates(const std::vector<Convergence>& all) {
   std::vector<Gate> gates;
   for (const Worst& w : schemes) {
     if (w.deviation >= 0 || std::isnan(w.deviation))
-      gates.push_back(at_most(w.scheme + ": worst |observed - stated| / allowed", w.deviation, 1));
+      gates.push_back(at_most(fmt::format("{}: worst |observed - stated| / allowed", w.scheme), w.deviation, 1));
     if (w.exact >= 0 || std::isnan(w.exact))
-      gates.push_back(at_most(w.scheme + ": worst error where exact", w.exact, exact_bound));
+      gates.push_back(at_most(fmt::format("{}: worst error where exact", w.scheme), w.exact, exact_bound));
   }
   return gates;
 }

@@ -32,9 +32,12 @@ struct Convergence {
   std::vector<double> values = {};  ///< signed errors, for the extrapolation; the mean over the offsets
   double rounding = exact_bound;    ///< errors below, relative to the scale, are left out of the observed order
   double scale = 1;                 ///< of the exact value, for "exact to rounding"
+  double length = 1;                ///< N·Δt in the study's unit of time; 0: N counts no steps of one length
 
-  /// Mean of the orders of the last three pairs of meshes whose errors stand above rounding.
+  /// Mean of the orders of the last three pairs of meshes whose errors stand above rounding, or of as many as there are.
   double observed() const;
+  /// Order from mesh i − 1 to mesh i; NaN for the first.
+  double pairwise(std::size_t i) const;
   /// The value extrapolated with the stated order from the last two meshes, less the exact one.
   double richardson_error() const;
   /// Roache's grid convergence index of the finest mesh, 1.25 |Δ|/(2^p − 1), relative to the scale.
@@ -44,7 +47,6 @@ struct Convergence {
 
 /// Rows as the interface promises them, with worst[], richardson_error, gci and allowed besides.
 console::Json to_rows(const std::vector<Convergence>& all);
-console::Table to_table(const std::vector<Convergence>& all, const std::string& caption);
 /// One gate a scheme, in the order of appearance: the largest |observed − stated|/allowed, and the largest error of
 /// what is exact.
 std::vector<Gate> to_gates(const std::vector<Convergence>& all);
@@ -63,8 +65,12 @@ struct Operator {
 
 std::vector<Operator> fractional_operators();
 
-/// Error at t = 1 of one operator for one order and all five functions, N = 16 … 4096.
-std::vector<Convergence> measure(const Operator& op, double alpha);
+/// N = 16, 32, … `finest`.
+std::vector<std::size_t> doubled_steps(std::size_t finest);
+
+/// Error at t = 1 of one operator for one order and all five functions.
+std::vector<Convergence> measure(const Operator& op, double alpha,
+                                 const std::vector<std::size_t>& steps = doubled_steps(4096));
 
 /// The α of all convergence studies.
 inline constexpr double studied_orders[] = {0.1, 0.25, 0.5, 0.75, 0.9};

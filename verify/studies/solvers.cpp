@@ -53,10 +53,49 @@ SolverConvergence statements(FractionalScheme scheme, double alpha) {
     const bool tcol = quantity[0] == 't';
     return Convergence{
         .statement = {scheme_name, quantity, alpha, stated_order(scheme, alpha, tcol), allowance(scheme, alpha, tcol)},
-        .rounding = 1e-12};
+        .rounding = 1e-12,
+        .length = scheme == FractionalScheme::collocation ? 0 : fractional_contact(alpha).tau};
   };
   return {
       .scheme = scheme, .en = statement("e_n"), .tcol = statement("t_col"), .overlap_end = statement("overlap_end")};
+}
+
+/// One solver for one law, with the kernel that its statement is about.
+class Solver {
+ public:
+  Solver(FractionalScheme scheme, double alpha, Against against)
+      : scheme_(scheme), tau_(fractional_contact(alpha).tau), law_(1, 1, alpha) {
+    // Rosenbrock's order is that of the arms' equations, so its kernel is kept: coarse where only the order matters.
+    if (scheme == FractionalScheme::arms_rosenbrock)
+      options_.kernel = solver_kernel(law_, impact, tau_ / (against == Against::own_limit ? 16 : 256));
+  }
+
+  /// Steps of the contact's n-th part; their mesh is offset by `offset` of a step. For the collocation n nodes.
+  FractionalSolverResult solve(std::size_t n, double offset) {
+    options_.step = tau_ / static_cast<double>(n);
+    options_.offset = offset;
+    options_.nodes = static_cast<int>(n);
+    return solve_collision(scheme_, law_, impact, options_);
+  }
+
+  /// Makes the kernel of the arms that take one of the step's length.
+  void keep_kernel(std::size_t n) {
+    if (scheme_ == FractionalScheme::arms_trapezoid || scheme_ == FractionalScheme::arms_exponential)
+      options_.kernel = solver_kernel(law_, impact, tau_ / static_cast<double>(n));
+  }
+
+ private:
+  FractionalScheme scheme_;
+  double tau_;
+  Fractional law_;
+  FractionalSolverOptions options_;
+};
+
+Observed reference_of(Solver& solver, double alpha, std::size_t finest, Against against) {
+  const FractionalContact exact = fractional_contact(alpha);
+  if (against == Against::closed_form) return {exact.en, exact.tau, exact.overlap_end * exact.tau};
+  const FractionalSolverResult limit = solver.solve(4 * finest, 0);
+  return {limit.en, limit.tcol, limit.overlap_end};
 }
 
 }  // namespace
@@ -64,32 +103,15 @@ SolverConvergence statements(FractionalScheme scheme, double alpha) {
 SolverConvergence measure(FractionalScheme scheme, double alpha, const std::vector<std::size_t>& steps,
                           Against against) {
   SolverConvergence result = statements(scheme, alpha);
-  const FractionalContact exact = fractional_contact(alpha);
-  const Fractional law(1, 1, alpha);
-  const bool collocation = scheme == FractionalScheme::collocation;
-  const bool rosenbrock = scheme == FractionalScheme::arms_rosenbrock;
-  FractionalSolverOptions options;
-  // Rosenbrock's order is that of the arms' equations, so its kernel is kept: coarse where only the order matters.
-  if (rosenbrock) options.kernel = solver_kernel(law, impact, exact.tau / (against == Against::own_limit ? 16 : 256));
-  const auto solve = [&](std::size_t n, int k) {
-    options.step = exact.tau / static_cast<double>(n);
-    options.offset = collocation ? 0 : static_cast<double>(k) / offsets;
-    options.nodes = static_cast<int>(n);
-    return solve_collision(scheme, law, impact, options);
-  };
-  Observed reference{exact.en, exact.tau, exact.overlap_end * exact.tau};
-  if (against == Against::own_limit) {
-    const FractionalSolverResult limit = solve(4 * steps.back(), 0);
-    reference = {limit.en, limit.tcol, limit.overlap_end};
-  }
+  Solver solver(scheme, alpha, against);
+  const Observed reference = reference_of(solver, alpha, steps.back(), against);
+  const int trials = scheme == FractionalScheme::collocation ? 1 : offsets;
   for (const std::size_t n : steps) {
-    if (scheme == FractionalScheme::arms_trapezoid || scheme == FractionalScheme::arms_exponential)
-      options.kernel = solver_kernel(law, impact, exact.tau / static_cast<double>(n));
+    solver.keep_kernel(n);
     std::vector<double> en, tcol, overlap;
     double multiplications = 0, kernels = 0;
-    const int trials = collocation ? 1 : offsets;
     for (int k = 0; k < trials; ++k) {
-      const FractionalSolverResult r = solve(n, k);
+      const FractionalSolverResult r = solver.solve(n, static_cast<double>(k) / offsets);
       const double nan = std::nan("");
       const bool ended = r.status == CollisionStatus::ended_by_force;
       en.push_back(ended ? r.en / reference.en - 1 : nan);
@@ -107,11 +129,8 @@ SolverConvergence measure(FractionalScheme scheme, double alpha, const std::vect
   return result;
 }
 
-SolverConvergence measure(FractionalScheme scheme, double alpha, std::size_t finest) {
-  std::vector<std::size_t> steps;
-  for (std::size_t n = 16; n <= finest; n *= 2) steps.push_back(n);
-  const bool rosenbrock = scheme == FractionalScheme::arms_rosenbrock;
-  return measure(scheme, alpha, steps, rosenbrock ? Against::own_limit : Against::closed_form);
+Against stated_against(FractionalScheme scheme) {
+  return scheme == FractionalScheme::arms_rosenbrock ? Against::own_limit : Against::closed_form;
 }
 
 }  // namespace ricochet::verify

@@ -23,8 +23,8 @@ enum class Against { closed_form, own_limit };
 SolverConvergence measure(FractionalScheme scheme, double alpha, const std::vector<std::size_t>& steps,
                           Against against = Against::closed_form);
 
-/// With the meshes and the reference that the scheme's stated order is about: N = 16 … finest.
-SolverConvergence measure(FractionalScheme scheme, double alpha, std::size_t finest);
+/// What the scheme's stated order is about.
+Against stated_against(FractionalScheme scheme);
 
 inline constexpr FractionalScheme stepping_schemes[] = {
     FractionalScheme::rectangle, FractionalScheme::trapezoid, FractionalScheme::arms_trapezoid,

@@ -20,8 +20,8 @@ struct OutputOptions {
   std::string file = {};  ///< empty: stdout
 };
 
-/// Adds --format table|json|csv|markdown and -o,--output FILE.
-void add_output_options(CLI::App& app, OutputOptions& options);
+/// Adds --format table|json|csv|markdown, with `reports` also latex|junit, and -o,--output FILE.
+void add_output_options(CLI::App& app, OutputOptions& options, bool reports = false);
 
 /// Adds --version, printing "<program> <version>".
 void add_version(CLI::App& app);

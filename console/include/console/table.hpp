@@ -8,7 +8,8 @@
 
 namespace ricochet::console {
 
-enum class Format { table, json, csv, markdown };
+/// latex and junit are for programs that offer them: see add_output_options.
+enum class Format { table, json, csv, markdown, latex, junit };
 
 /// How a column's numbers are shown in text and markdown; CSV always carries full double precision.
 struct Notation {
@@ -53,7 +54,8 @@ class Table {
   std::string text() const;      ///< aligned columns, units in a line of their own under the names
   std::string csv() const;       ///< RFC 4180 with "\n" ends, header "name [unit]", numbers by shortest round trip
   std::string markdown() const;  ///< a pipe table
-  /// One of the three; throws std::logic_error for Format::json, which json.hpp does.
+  std::string latex() const;     ///< a table environment with a tabular in the manner of booktabs
+  /// One of the four; throws std::logic_error for the formats that are documents, not tables.
   std::string render(Format format) const;
 
  private:

@@ -13,12 +13,12 @@ class OutputFolder;
 
 namespace ricochet::verify {
 
-/// Adds a study to the folder: <name>.json, each table as <name>.csv, <name>-2.csv, …, and its figures with their data;
-/// returns the figures as SVG. Throws as console::OutputFolder and console::draw do.
+/// Adds a study to the folder: <name>.json, <name>-gates.csv, its long table or each table in a file, and its figures
+/// with their data; returns the figures as SVG. Throws as console::OutputFolder and console::draw do.
 std::vector<std::string> write_study(const Study& study, const StudyResult& result, console::OutputFolder& folder);
 
-/// "orders.csv", "orders-2.csv", …
-std::string table_file(const Study& study, std::size_t table);
+/// Names of a study's CSV files: "orders.csv" for its long table, else "tcol.csv", "tcol-2.csv", … for each table.
+std::vector<std::string> table_files(const Study& study, const StudyResult& result);
 
 /// One study of a run, or why there is none.
 struct Outcome {

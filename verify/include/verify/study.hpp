@@ -6,6 +6,7 @@
 #include <console/plot.hpp>
 #include <console/table.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct Remark {
 
 struct StudyResult {
   std::vector<Gate> gates;
-  std::vector<console::Table> tables;             ///< shown in this order; CSV files of a report
+  std::vector<console::Table> tables;             ///< shown in this order; CSV files of a report, unless there is:
+  std::optional<console::Table> data = {};        ///< all in one long table, for CSV
   console::Json rows = nullptr;                   ///< "rows" of the JSON; null: the rows of the first table
   console::Json extra = console::Json::object();  ///< further members of the JSON's top level
   std::vector<console::Figure> figures;

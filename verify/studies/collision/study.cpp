@@ -1,8 +1,14 @@
-#include <verify/registry.hpp>
-
+#include "../convergence_figures.hpp"
+#include "../convergence_tables.hpp"
+#include "../paper.hpp"
+#include "../selection.hpp"
 #include "../solvers.hpp"
 
+#include <verify/registry.hpp>
+
 #include <console/number.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +23,10 @@ using console::Table;
 
 /// The work-precision comparison is drawn for one order; the convergence table has them all.
 constexpr double drawn_alpha = 0.25;
-constexpr std::size_t paper_steps = 30;  // the ΔN that the paper settles for
 
 std::vector<std::size_t> work_steps(FractionalScheme scheme) {
   if (scheme == FractionalScheme::collocation) return {4, 6, 8, 10, 12, 16, 20, 24};
-  return {5, 10, 20, paper_steps, 40, 80, 160, 320, 640, 1280};
+  return {5, 10, 20, std::size_t{paper::steps}, 40, 80, 160, 320, 640, 1280};
 }
 
 std::vector<SolverConvergence> work_precision() {
@@ -34,16 +39,16 @@ std::vector<SolverConvergence> work_precision() {
 
 Table work_table(const std::vector<SolverConvergence>& all) {
   const Notation error{Notation::Kind::scientific, 1}, count{Notation::Kind::significant, 3};
-  Table table({{"scheme"},
-               {"N"},
-               {"error of e_n", "", error},
-               {"worst offset", "", error},
-               {"error of t_col", "", error},
-               {"error of overlap_end", "", error},
-               {"multiplications", "", count},
-               {"kernel evaluations", "", count}},
-              "Work and precision at alpha = " + console::shortest(drawn_alpha) +
-                  ": relative errors, mean of 16 offsets of the mesh");
+  Table table(
+      {{"scheme"},
+       {"N"},
+       {"error of e_n", "", error},
+       {"worst offset", "", error},
+       {"error of t_col", "", error},
+       {"error of overlap_end", "", error},
+       {"multiplications", "", count},
+       {"kernel evaluations", "", count}},
+      fmt::format("Work and precision at alpha = {}: relative errors, mean of 16 offsets of the mesh", drawn_alpha));
   for (const SolverConvergence& s : all)
     for (std::size_t i = 0; i < s.en.steps.size(); ++i)
       table.row({std::string(name(s.scheme)), static_cast<std::int64_t>(s.en.steps[i]),
@@ -56,36 +61,37 @@ Table work_table(const std::vector<SolverConvergence>& all) {
   return table;
 }
 
-console::Figure work_figure(const std::vector<SolverConvergence>& all) {
+std::string work_csv(const std::vector<SolverConvergence>& all) {
   std::string csv = "scheme,N,multiplications,error of e_n\n";
+  for (const SolverConvergence& s : all) {
+    if (&s != &all.front()) csv += "\n\n";
+    for (std::size_t i = 0; i < s.en.steps.size(); ++i)
+      if (s.en.errors[i] > 0)
+        csv += fmt::format("\"{}\",{},{},{}\n", name(s.scheme), s.en.steps[i], console::shortest(s.multiplications[i]),
+                           console::shortest(s.en.errors[i]));
+  }
+  return csv;
+}
+
+console::Figure work_figure(const std::vector<SolverConvergence>& all) {
   std::string script =
       "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset xlabel 'multiplications a collision'\n"
       "set ylabel 'relative error of e_n'\nset key outside right top\nset xrange [10:2e7]\n"
-      "set yrange [1e-15:2]\n";
-  std::string plot;
-  int block = 0;
-  for (const SolverConvergence& s : all) {
-    if (block > 0) csv += "\n\n";
-    for (std::size_t i = 0; i < s.en.steps.size(); ++i) {
-      if (!(s.en.errors[i] > 0)) continue;
-      csv += '"' + std::string(name(s.scheme)) + "\"," + std::to_string(s.en.steps[i]) + "," +
-             console::shortest(s.multiplications[i]) + "," + console::shortest(s.en.errors[i]) + "\n";
-    }
-    const std::string at = "'collision-work.csv' index " + std::to_string(block) + (block == 0 ? " skip 1" : "");
-    const std::string style = " pt " + std::to_string(block + 4) + " lc " + std::to_string(block + 1);
-    plot += (block == 0 ? "plot " : ", \\\n  ") + at + " using 3:4 with linespoints lw 2 ps 0.8" + style + " title '" +
-            std::string(name(s.scheme)) + "'";
-    plot += ", \\\n  " + at + " using 3:($2 == " + std::to_string(paper_steps) + " && " + std::to_string(block) +
-            " < 5 ? $4 : NaN) with points pt 6 ps 2 lc rgb 'black' " +
-            (block == 0 ? "title 'N = 30, the choice of the paper'" : "notitle");
-    ++block;
+      "set yrange [1e-15:2]\nplot ";
+  for (std::size_t block = 0; block < all.size(); ++block) {
+    const std::string at = fmt::format("'collision-work.csv' index {}{}", block, block == 0 ? " skip 1" : "");
+    script += fmt::format("{}{} using 3:4 with linespoints lw 2 ps 0.8 pt {} lc {} title '{}'",
+                          block == 0 ? "" : ", \\\n  ", at, block + 4, block + 1, name(all[block].scheme));
+    if (all[block].scheme == FractionalScheme::collocation) continue;
+    script += fmt::format(", \\\n  {} using 3:($2 == {} ? $4 : NaN) with points pt 6 ps 2 lc rgb 'black' {}", at,
+                          paper::steps, block == 0 ? "title 'N = 30, the choice of the paper'" : "notitle");
   }
   return {.name = "collision-work",
           .caption =
               "Error of the restitution against the multiplications a collision costs, for every solver at "
               "alpha = 0.25; circles: 30 steps a contact.",
-          .script = script + plot + "\n",
-          .data = {{"collision-work.csv", csv}},
+          .script = script + "\n",
+          .data = {{"collision-work.csv", work_csv(all)}},
           .width = 1000,
           .height = 560};
 }
@@ -102,7 +108,7 @@ Gate collocation_gate() {
 }
 
 double error_at_paper_steps(const SolverConvergence& s) {
-  const auto at = std::find(s.en.steps.begin(), s.en.steps.end(), paper_steps);
+  const auto at = std::find(s.en.steps.begin(), s.en.steps.end(), std::size_t{paper::steps});
   return at == s.en.steps.end() ? std::nan("") : s.en.errors[static_cast<std::size_t>(at - s.en.steps.begin())];
 }
 
@@ -113,10 +119,22 @@ std::string work_finding(const std::vector<SolverConvergence>& all) {
     double least = 1;
     for (std::size_t i = 0; i < s.en.steps.size(); ++i)
       if (s.multiplications[i] <= 1e4) least = std::min(least, s.en.errors[i]);
-    if (least < 1) text += " " + console::scientific(least, 0) + " (" + std::string(name(s.scheme)) + "),";
+    if (least < 1) text += fmt::format(" {:.0e} ({}),", least, name(s.scheme));
   }
   text.back() = '.';
   return text;
+}
+
+/// What thirty steps a contact give with each solver.
+void add_paper_steps(StudyResult& result, const std::vector<SolverConvergence>& work) {
+  std::string text;
+  for (const SolverConvergence& s : work)
+    if (const double e = error_at_paper_steps(s); std::isfinite(e)) {
+      result.extra["error_of_en_at_30_steps"][std::string(name(s.scheme))] = e;
+      text += fmt::format(" {:.1e} ({}),", e, name(s.scheme));
+    }
+  text.back() = '.';
+  result.verdict = fmt::format("At alpha = {} thirty steps give e_n with a relative error of{}", drawn_alpha, text);
 }
 
 class CollisionStudy : public Study {
@@ -127,33 +145,39 @@ class CollisionStudy : public Study {
            "solver, "
            "wherever the contact starts between two mesh points";
   }
+  void add_options(CLI::App& app) override { wanted_.add_options(app); }
   StudyResult run(const RunOptions& options) override {
-    std::vector<Convergence> all;
-    for (const FractionalScheme scheme : stepping_schemes)
-      for (const double alpha : studied_orders) {
-        SolverConvergence s = measure(scheme, alpha, options.thorough ? 4096 : 2048);
-        for (Convergence* c : {&s.en, &s.tcol, &s.overlap_end}) all.push_back(std::move(*c));
-      }
+    std::vector<std::string> schemes;
+    for (const FractionalScheme scheme : stepping_schemes) schemes.emplace_back(ricochet::name(scheme));
+    wanted_.check(schemes, {"e_n", "t_col", "overlap_end"});
+    const std::vector<Convergence> all = measure_all(options.thorough ? 4096 : 2048);
+    StudyResult result = convergence_result(all, wanted_, "collision");
+    result.verdict += ".";
+    if (!wanted_.everything()) return result;
     const std::vector<SolverConvergence> work = work_precision();
-
-    StudyResult result;
-    result.tables.push_back(
-        to_table(all, "Observed order of the solvers of the fractional collision, 16 offsets each"));
-    result.tables.push_back(work_table(work));
-    result.rows = to_rows(all);
-    result.gates = to_gates(all);
     result.gates.push_back(collocation_gate());
-    result.figures.push_back(work_figure(work));
-    result.figures.back().finding = work_finding(work);
-    result.verdict = "At alpha = " + console::shortest(drawn_alpha) + " thirty steps give e_n with a relative error of";
-    for (const SolverConvergence& s : work)
-      if (const double e = error_at_paper_steps(s); std::isfinite(e)) {
-        result.extra["error_of_en_at_30_steps"][std::string(ricochet::name(s.scheme))] = e;
-        result.verdict += " " + console::scientific(e, 1) + " (" + std::string(ricochet::name(s.scheme)) + "),";
-      }
-    result.verdict.back() = '.';
+    result.figures.insert(result.figures.begin(), work_figure(work));
+    result.figures.front().finding = work_finding(work);
+    result.tables.insert(result.tables.begin() + 1, work_table(work));
+    add_paper_steps(result, work);
     return result;
   }
+
+ private:
+  std::vector<Convergence> measure_all(std::size_t finest) const {
+    std::vector<Convergence> all;
+    for (const FractionalScheme scheme : stepping_schemes) {
+      if (!wanted_.scheme(std::string(ricochet::name(scheme)))) continue;
+      for (const double alpha : wanted_.alphas()) {
+        SolverConvergence s = measure(scheme, alpha, wanted_.steps(finest), stated_against(scheme));
+        for (Convergence* c : {&s.en, &s.tcol, &s.overlap_end})
+          if (wanted_.function(c->statement.function)) all.push_back(std::move(*c));
+      }
+    }
+    return all;
+  }
+
+  Selection wanted_;
 };
 
 }  // namespace

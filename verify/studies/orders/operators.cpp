@@ -94,17 +94,15 @@ std::vector<Operator> fractional_operators() {
   return all;
 }
 
-std::vector<Convergence> measure(const Operator& op, double alpha) {
+std::vector<Convergence> measure(const Operator& op, double alpha, const std::vector<std::size_t>& steps) {
   std::vector<Convergence> all;
   for (const int p : tested) {
     const Tested f = tested_function(p, op.integral ? -alpha : alpha, alpha);
     const auto& sample = op.samples == Operator::Samples::rate ? f.rate : f.value;
     Convergence c{.statement = op.statement(alpha, p), .scale = std::fabs(f.exact)};
-    std::vector<double> finest(4097);
-    for (std::size_t l = 0; l <= 4096; ++l) finest[l] = sample(static_cast<double>(l) / 4096);
-    for (std::size_t n = 16; n <= 4096; n *= 2) {
+    for (const std::size_t n : steps) {
       std::vector<double> x(n + 1);
-      for (std::size_t l = 0; l <= n; ++l) x[l] = finest[l * (4096 / n)];
+      for (std::size_t l = 0; l <= n; ++l) x[l] = sample(static_cast<double>(l) / static_cast<double>(n));
       const double error = op.make(alpha, 1 / static_cast<double>(n), n).last(x) - f.exact;
       c.steps.push_back(n);
       c.values.push_back(error);
