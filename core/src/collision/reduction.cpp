@@ -5,10 +5,8 @@
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/support/require.hpp>
+#include <ricochet/support/root.hpp>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
-#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 
@@ -48,13 +46,13 @@ std::optional<LossFound> find_loss(const std::function<Collision(double)>& colli
   Losses losses{collide_at, -std::log(en)};
   double low = 0, high = 0, at_low = 0, at_high = 0;
   if (!bracket(losses, std::log(losses.target), low, high, at_low, at_high)) return std::nullopt;
-  std::uintmax_t trials = 200;
-  const auto root = boost::math::tools::toms748_solve(losses, low, high, at_low, at_high,
-                                                      boost::math::tools::eps_tolerance<double>(), trials);
-  const auto out = collide_at(root.first);
+  // The bracket's end that loses less: past the other one, maybe, nothing parts.
+  const double root =
+      support::root_bracket([&](double loss) { return losses(loss); }, low, high, at_low, at_high).first;
+  const auto out = collide_at(root);
   // What brackets no root is the loss past which no collision is followed.
   if (!out.separated() || std::abs(out.en - en) > 1e-9 * en) return std::nullopt;
-  return LossFound{root.first, losses.collisions + 1};
+  return LossFound{root, losses.collisions + 1};
 }
 
 }  // namespace collision

@@ -1,7 +1,8 @@
 #include "stretch.hpp"
 
+#include <ricochet/support/root.hpp>
+
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,7 @@ std::optional<Instant> Stretch::run_to(const std::function<double(const Instant&
   const auto spent = [&] { return contact_.evaluations() >= budget; };
   double last = 0, best = 0, least = std::numeric_limits<double>::infinity();
   const auto value = [&](double length) {
+    if (spent()) return 0.0;  // ends the search, whose result is then not used
     const double at_end = event(run(length));
     last = length;
     if (at_end != 0 && std::abs(at_end) < least) least = std::abs(at_end), best = length;
@@ -67,9 +69,7 @@ std::optional<Instant> Stretch::run_to(const std::function<double(const Instant&
   for (double reach = doubt; at_high > 0 && high < 4 * guess && !spent(); reach *= 4)
     low = high, at_low = at_high, high += reach, at_high = value(high);
   if (!(at_low > 0 && at_high <= 0)) return std::nullopt;
-  std::uintmax_t trials = 60;
-  const auto close = [&](double a, double b) { return b - a <= 1e-15 * b || spent(); };
-  boost::math::tools::toms748_solve(value, low, high, at_low, at_high, close, trials);
+  support::root_bracket(value, low, high, at_low, at_high, {.relative = 1e-15, .evaluations = 60});
   if (spent()) return std::nullopt;
   return last == best ? path_.back() : run(best);
 }
