@@ -97,7 +97,7 @@ double PowerLaw<Form>::mean_force(double overlap, double rate, double dt) const 
 
 /// Spring and dashpot, R = kζ + cζ'. "linear1" of the paper ends by overlap, "linear2" by force (see ContactEnd).
 struct LinearForm {
-  static constexpr std::string_view name = "linear", loss_name = "damping ratio c/(2 sqrt(m k))", loss_unit;
+  static constexpr std::string_view name = "linear", loss_name = "damping ratio c/(2 sqrt(m k))", loss_unit{};
   static constexpr int stiffness_quarters = 4, damping_quarters = 0;
   static constexpr Ends ends{.overlap = true, .both_by_default = true};
   static constexpr double overdamped_from = 2;
@@ -119,7 +119,7 @@ using KuwabaraKono = PowerLaw<KuwabaraKonoForm>;
 /// not depend on the impact velocity: R = kζ^{3/2} + cζ^{1/4}ζ'. What LAMMPS, LIGGGHTS and MercuryDPM call Hertz with
 /// constant restitution. In ζ^{5/4} it is the damped oscillator again, overdamped from γ = √5 on.
 struct TsujiForm {
-  static constexpr std::string_view name = "tsuji", loss_name = "damping ratio c/sqrt(5 m k)", loss_unit;
+  static constexpr std::string_view name = "tsuji", loss_name = "damping ratio c/sqrt(5 m k)", loss_unit{};
   static constexpr int stiffness_quarters = 6, damping_quarters = 1;
   static constexpr Ends ends{.overlap = true, .both_by_default = false};
   static constexpr double overdamped_from = 2.23606797749978969641;
