@@ -47,7 +47,7 @@ Ran run(std::vector<const char*> arguments) {
   studies.push_back(std::make_unique<Toy>());
   arguments.insert(arguments.begin(), "verify");
   arguments.insert(arguments.end(), {"-o", file.c_str()});
-  const int code = run_verify(studies, static_cast<int>(arguments.size()), arguments.data());
+  const int code = run_verify(studies, {}, static_cast<int>(arguments.size()), arguments.data());
   return {code, read_file(file)};
 }
 

@@ -145,7 +145,7 @@ void add_common(CLI::App& app, Options& options, const std::string& folder_flag,
 
 }  // namespace
 
-int run_verify(const Studies& studies, int argc, const char* const* argv) {
+int run_verify(const Studies& studies, const Studies& checks, int argc, const char* const* argv) {
   CLI::App app("Checks the laws, the numerics and the paper's figures against what they claim", "verify");
   console::add_version(app);
   app.require_subcommand(1);
@@ -163,6 +163,11 @@ int run_verify(const Studies& studies, int argc, const char* const* argv) {
     thorough(*command);
     study->add_options(*command);
   }
+  for (const auto& check : checks) {
+    CLI::App* command = app.add_subcommand(check->name(), check->claim());
+    console::add_output_options(*command, options.output, true);
+    check->add_options(*command);
+  }
   CLI::App* all = app.add_subcommand("all", "every study, thoroughly");
   add_common(*all, options, "--report",
              "also write the report into this folder: index.html, figures, CSV and JSON files");
@@ -173,9 +178,10 @@ int run_verify(const Studies& studies, int argc, const char* const* argv) {
       options.run.thorough = !quick;
       return run_all(studies, options);
     }
-    const auto chosen = std::find_if(studies.begin(), studies.end(),
-                                     [&](const auto& study) { return app.got_subcommand(study->name()); });
-    return run_one(**chosen, options);
+    for (const Studies* commands : {&studies, &checks})
+      for (const auto& study : *commands)
+        if (app.got_subcommand(study->name())) return run_one(*study, options);
+    throw std::logic_error("no study chosen");
   });
 }
 
