@@ -17,8 +17,8 @@ struct OrderFile {
   std::vector<OrderCase> cases;
 };
 
-/// Reads columns h or n (h = 1/n), error or value, and, where there are, scheme and case. Throws console::BadInput naming
-/// file, line and column.
+/// Reads columns h or n (h = 1/n), error or value, and, where there are, scheme and case. Throws console::BadInput
+/// naming file, line and column.
 OrderFile read_order_file(const std::string& path);
 
 }  // namespace ricochet::verify

@@ -34,7 +34,8 @@ struct Convergence {
   double scale = 1;                 ///< of the exact value, for "exact to rounding"
   double length = 1;                ///< N·Δt in the study's unit of time; 0: N counts no steps of one length
 
-  /// Mean of the orders of the last three pairs of meshes whose errors stand above rounding, or of as many as there are.
+  /// Mean of the orders of the last three pairs of meshes whose errors stand above rounding, or of as many as there
+  /// are.
   double observed() const;
   /// Order from mesh i − 1 to mesh i; NaN for the first.
   double pairwise(std::size_t i) const;

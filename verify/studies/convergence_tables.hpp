@@ -9,8 +9,8 @@
 
 namespace ricochet::verify {
 
-/// One row a mesh: scheme, function, alpha, n, dt, error, pairwise_order, stated_order (none where the scheme is exact),
-/// pass (of the whole case). dt in the study's unit of time; none where n counts no steps of one length.
+/// One row a mesh: scheme, function, alpha, n, dt, error, pairwise_order, stated_order (none where the scheme is
+/// exact), pass (of the whole case). dt in the study's unit of time; none where n counts no steps of one length.
 console::Table long_table(const std::vector<Convergence>& all);
 
 /// One row a scheme: what is stated, what was observed, and the case that comes nearest to failing.

@@ -75,8 +75,9 @@ inline Line fitted_line(std::span<const double> x, std::span<const double> y, st
   return line;
 }
 
-/// Where errors small enough to be rounding no longer fall evenly: the first mesh whose pairwise order is farther than
-/// 1/2 from the one before (at first, from the stated one). Returns the greatest error from there on, 0 if there is none.
+/// Where errors small enough to be rounding no longer fall evenly: the first mesh whose pairwise order is farther
+/// than 1/2 from the one before (at first, from the stated one). Returns the greatest error from there on, 0 if there
+/// is none.
 inline double floor_of(const ObservedOrder& o, const OrderClaim& claim) {
   double before = claim.stated;
   for (std::size_t i = 1; i < o.error.size(); ++i) {
@@ -222,9 +223,10 @@ inline std::vector<double> refined(double coarsest, std::size_t meshes, double r
   return h;
 }
 
-/// The order that values show, measured against the value on the finest mesh. That has an error too, which would raise
-/// the order: meshes whose error is by the stated order less than fifty times as great are left out (it moves a pairwise
-/// order of halved meshes by no more than 0.03). Throws as above; also where fewer than three meshes are left.
+/// The order that values show, measured against the value on the finest mesh. That has an error too, which would
+/// raise the order: meshes whose error is by the stated order less than fifty times as great are left out (it moves a
+/// pairwise order of halved meshes by no more than 0.03). Throws as above; also where fewer than three meshes are
+/// left.
 inline ObservedOrder observe_order_by_finest(std::span<const double> h, std::span<const double> value,
                                              const OrderClaim& claim) {
   detail::require_claim(claim);
