@@ -6,8 +6,8 @@
 #include <console/signals.hpp>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -23,13 +23,12 @@ std::string read_file(const std::string& path) {
 }
 
 void announce(const simulate::Scene& scene) {
-  std::fprintf(
-      stderr, "simulate: %zu spheres, %zu walls, %llu steps of %s s%s\n", scene.setup.spheres.size(),
-      scene.setup.walls.size(), static_cast<unsigned long long>(scene.steps),
-      console::significant(scene.options.step, 4).c_str(),
-      scene.stiffest.tcol > 0
-          ? (", the shortest collision takes about " + console::significant(scene.stiffest.tcol, 3) + " s").c_str()
-          : "");
+  const double tcol = scene.stiffest.tcol;
+  const std::string shortest =
+      tcol > 0 ? fmt::format(", the shortest collision takes about {} s", console::significant(tcol, 3)) : "";
+  console::complain("simulate", fmt::format("{} spheres, {} walls, {} steps of {} s{}", scene.setup.spheres.size(),
+                                            scene.setup.walls.size(), scene.steps,
+                                            console::significant(scene.options.step, 4), shortest));
 }
 
 }  // namespace
@@ -53,8 +52,8 @@ int main(int argc, char** argv) {
     const simulate::Scene scene = simulate::read_scene(file, read_file(file));
     const int signal = simulate::run(scene, folder, resume, [&] { announce(scene); });
     if (signal == 0) return console::Exit::done;
-    std::fprintf(stderr, "simulate: stopped, all written; go on with: simulate %s -o %s --resume\n", file.c_str(),
-                 folder.c_str());
+    console::complain("simulate",
+                      fmt::format("stopped, all written; go on with: simulate {} -o {} --resume", file, folder));
     console::end_by(signal);
   });
 }

@@ -3,7 +3,7 @@
 #include <calibrate/export.hpp>
 #include <ricochet/support/text.hpp>
 
-#include <initializer_list>
+#include <fmt/format.h>
 
 namespace ricochet::calibration {
 
@@ -11,7 +11,7 @@ namespace ricochet::calibration {
 struct Body {
   Fidelity fidelity = Fidelity::absent;
   std::vector<std::string> remarks = {};
-  std::vector<std::string> lines = {};
+  std::string input = {};  ///< in the engine's language, whole lines
   /// The end of contact that the engine uses, where it isn't the one asked for.
   std::optional<ContactEnd> other_end = {};
 };
@@ -28,6 +28,10 @@ using support::shortest;
 inline std::string rounded(double value) { return support::significant(value, 6); }
 
 Body absent(std::string why);
+/// For an engine that knows nothing like this law.
+Body no_such_law(std::string_view engine, std::string_view law);
+/// For the fractional law in an engine that keeps no memory.
+Body no_memory(std::string_view engine);
 /// For a law that is scaled by the grain's radius, when none was given.
 Body needs_radius();
 /// Remarks: what the numbers are tied to, and what becomes of other sizes.

@@ -1,5 +1,6 @@
 #include "body.hpp"
 
+#include <calibrate/calibration.hpp>
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/support/require.hpp>
 
@@ -38,18 +39,16 @@ void check(const ExportCase& what) {
 
 /// "k = 7316 kg/s^2, c = 0.098 kg/s"
 std::string in_words(const AnyLaw& law) {
-  std::string words;
+  std::vector<std::string> words;
   for (const NamedValue& p : parameters(law))
-    words += (words.empty() ? "" : ", ") + p.name + " = " + shortest(p.value) + (p.unit.empty() ? "" : " " + p.unit);
-  return words;
+    words.push_back(fmt::format("{} = {}{}{}", p.name, shortest(p.value), p.unit.empty() ? "" : " ", p.unit));
+  return fmt::format("{}", fmt::join(words, ", "));
 }
-
-std::string_view word(ContactEnd end) { return end == ContactEnd::force ? "force" : "overlap"; }
 
 /// "0.55 (+10 %)": a value beside the one asked for.
 std::string beside(double value, double asked) {
   const double percent = 100 * (value / asked - 1);
-  return rounded(value) + " (" + (percent < 0 ? "" : "+") + support::significant(percent, 2) + " %)";
+  return fmt::format("{} ({}{} %)", rounded(value), percent < 0 ? "" : "+", support::significant(percent, 2));
 }
 
 /// Breaks a sentence into comment lines of at most 100 columns.
@@ -61,28 +60,29 @@ void append_comment(std::string& text, std::string_view mark, std::string_view s
       cut = sentence.rfind(' ', width - mark.size());
       if (cut == std::string_view::npos) cut = std::min(sentence.find(' '), sentence.size());
     }
-    text += std::string(mark) + std::string(sentence.substr(0, cut)) + "\n";
+    text += fmt::format("{}{}\n", mark, sentence.substr(0, cut));
     sentence.remove_prefix(std::min(cut + 1, sentence.size()));
   }
 }
 
 std::string heading(const Language& in, const ExportCase& what) {
-  std::string text;
-  append_comment(text, in.comment,
-                 "Ricochet: " + std::string(name(what.law)) + " law, contact ended by " + std::string(word(what.end)) +
-                     ", for " + std::string(in.version) + ", SI units");
-  std::string pair = "Target: collision time " + shortest(what.tcol) + " s, restitution " + shortest(what.en) + " at " +
-                     shortest(what.impact.velocity) + " m/s, effective mass " + shortest(what.impact.mass_eff) + " kg";
-  if (what.radius_eff) pair += ", effective radius " + shortest(*what.radius_eff) + " m";
-  append_comment(text, in.comment, pair);
-  append_comment(text, in.comment, "Law: " + in_words(what.law));
-  return text;
+  std::string lines;
+  append_comment(lines, in.comment,
+                 fmt::format("Ricochet: {} law, contact ended by {}, for {}, SI units", name(what.law), text(what.end),
+                             in.version));
+  std::string pair =
+      fmt::format("Target: collision time {} s, restitution {} at {} m/s, effective mass {} kg", shortest(what.tcol),
+                  shortest(what.en), shortest(what.impact.velocity), shortest(what.impact.mass_eff));
+  if (what.radius_eff) pair += fmt::format(", effective radius {} m", shortest(*what.radius_eff));
+  append_comment(lines, in.comment, pair);
+  append_comment(lines, in.comment, fmt::format("Law: {}", in_words(what.law)));
+  return lines;
 }
 
 std::string what_it_gives(const Collision& gives, const ExportCase& what) {
   if (!gives.separated()) return "GIVES INSTEAD: a contact that never separates";
-  return "GIVES INSTEAD: collision time " + beside(gives.tcol, what.tcol) + " s, restitution " +
-         beside(gives.en, what.en);
+  return fmt::format("GIVES INSTEAD: collision time {} s, restitution {}", beside(gives.tcol, what.tcol),
+                     beside(gives.en, what.en));
 }
 
 }  // namespace
@@ -117,11 +117,11 @@ Snippet export_law(Engine engine, const ExportCase& what) {
     append_comment(snippet.text, in.comment, what_it_gives(snippet.gives, what));
     if (!snippet.gives.separated()) {
       snippet.fidelity = Fidelity::absent;
-      body.lines.clear();
+      body.input.clear();
     }
   }
   for (const std::string& remark : body.remarks) append_comment(snippet.text, in.comment, remark);
-  for (const std::string& line : body.lines) snippet.text += line + "\n";
+  snippet.text += body.input;
   return snippet;
 }
 
@@ -151,6 +151,15 @@ std::string combine(const std::vector<Snippet>& snippets) {
 }
 
 Body absent(std::string why) { return {.remarks = {std::move(why)}}; }
+
+Body no_such_law(std::string_view engine, std::string_view law) {
+  return absent(fmt::format("NOT WRITTEN: {} has no {} law.", engine, law));
+}
+
+Body no_memory(std::string_view engine) {
+  return absent(
+      fmt::format("NOT WRITTEN: {} has no law with memory; LIGGGHTS runs it through liggghts-ricochet.", engine));
+}
 
 Body needs_radius() {
   return absent(

@@ -22,10 +22,13 @@ std::optional<double> polynomial_argument(double eta) {
 struct Lammps {
   const ExportCase& what;
 
-  std::vector<std::string> pair(const std::string& normal, const std::string& damping) const {
-    std::string line = "pair_coeff * * " + normal + " damping " + damping + " tangential linear_nohistory 0.0 0.0";
-    if (what.end == ContactEnd::force) line += " limit_damping";
-    return {"pair_style granular", line};
+  /// `normal` with its two numbers, stiffness and damping, and the kind of damping that the second one sets.
+  std::string pair(std::string_view normal, double stiffness, double strength, std::string_view damping) const {
+    return fmt::format(R"(pair_style granular
+pair_coeff * * {} {} {} damping {} tangential linear_nohistory 0.0 0.0{}
+)",
+                       normal, shortest(stiffness), shortest(strength), damping,
+                       what.end == ContactEnd::force ? " limit_damping" : "");
   }
 
   static std::string setting() {
@@ -36,10 +39,10 @@ struct Lammps {
   Body operator()(const Linear& law) const {
     return {.fidelity = Fidelity::exact,
             .remarks = {setting(),
-                        "damping velocity takes c in kg/s as it is, for every pair. The styles gran/hooke "
-                        "and gran/hooke/history take it per effective mass instead: gamma_n = " +
-                            shortest(law.c() / what.impact.mass_eff) + " 1/s here."},
-            .lines = pair("hooke " + shortest(law.k()) + " " + shortest(law.c()), "velocity")};
+                        fmt::format("damping velocity takes c in kg/s as it is, for every pair. The styles gran/hooke "
+                                    "and gran/hooke/history take it per effective mass instead: gamma_n = {} 1/s here.",
+                                    shortest(law.c() / what.impact.mass_eff))},
+            .input = pair("hooke", law.k(), law.c(), "velocity")};
   }
 
   Body operator()(const KuwabaraKono& law) const {
@@ -50,32 +53,33 @@ struct Lammps {
                         "hertz multiplies its stiffness by the contact radius sqrt(R overlap), damping "
                         "viscoelastic by that and the effective mass: k/sqrt(R), c/(m sqrt(R)).",
                         tied_to_pair()},
-            .lines = pair("hertz " + shortest(law.k() / root) + " " + shortest(law.c() / (what.impact.mass_eff * root)),
-                          "viscoelastic")};
+            .input = pair("hertz", law.k() / root, law.c() / (what.impact.mass_eff * root), "viscoelastic")};
   }
 
   Body operator()(const Tsuji& law) const {
     if (!what.radius_eff) return needs_radius();
-    const std::string normal = "hertz " + shortest(law.k() / std::sqrt(*what.radius_eff)) + " ";
+    const double stiffness = law.k() / std::sqrt(*what.radius_eff);
     if (law.c() == 0)
-      return {.fidelity = Fidelity::exact, .remarks = {setting()}, .lines = pair(normal + "0", "velocity")};
+      return {.fidelity = Fidelity::exact, .remarks = {setting()}, .input = pair("hertz", stiffness, 0, "velocity")};
     const double eta = law.c() / std::sqrt(what.impact.mass_eff * law.k());
     const auto argument = polynomial_argument(eta);
     if (!argument)
-      return absent("NOT WRITTEN: the polynomial of damping tsuji never falls below 0.0003, this law needs " +
-                    rounded(eta) + ".");
+      return absent(fmt::format(
+          "NOT WRITTEN: the polynomial of damping tsuji never falls below 0.0003, this law needs {}.", rounded(eta)));
     Body body{.fidelity = Fidelity::exact,
               .remarks = {setting(),
-                          "damping tsuji turns its number into c/sqrt(m k) by a polynomial that was fitted for the "
-                          "particle's mass and is applied to the pair's: asked for " +
-                              rounded(what.en) +
-                              " it would not give it. The number below is the argument at which the polynomial has "
-                              "this law's value, not a restitution.",
+                          fmt::format("damping tsuji turns its number into c/sqrt(m k) by a polynomial that was fitted "
+                                      "for the particle's mass and is applied to the pair's: asked for {} it would not "
+                                      "give it. The number below is the argument at which the polynomial has this "
+                                      "law's value, not a restitution.",
+                                      rounded(what.en)),
                           keeps_restitution()},
-              .lines = pair(normal + shortest(*argument), "tsuji")};
+              .input = pair("hertz", stiffness, *argument, "tsuji")};
     if (const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff)))
-      body.remarks.push_back("LAMMPS since 2024 has damping coeff_restitution; write that with " + shortest(*en) +
-                             " in place of tsuji with its number.");
+      body.remarks.push_back(
+          fmt::format("LAMMPS since 2024 has damping coeff_restitution; write that with {} in place "
+                      "of tsuji with its number.",
+                      shortest(*en)));
     return body;
   }
 
@@ -83,14 +87,12 @@ struct Lammps {
     return absent("NOT WRITTEN: pair_style granular of this version has no plastic loading and unloading.");
   }
 
-  Body operator()(const Fractional&) const {
-    return absent("NOT WRITTEN: LAMMPS has no law with memory; LIGGGHTS runs it through liggghts-ricochet.");
-  }
+  Body operator()(const Fractional&) const { return no_memory("LAMMPS"); }
 
   /// Any law of which nothing is said above.
   template <class Law>
   Body operator()(const Law&) const {
-    return absent("NOT WRITTEN: LAMMPS has no " + std::string(Law::name) + " law.");
+    return no_such_law("LAMMPS", Law::name);
   }
 };
 

@@ -9,14 +9,16 @@ namespace ricochet::calibration {
 namespace {
 
 /// A material property of the pair of types 1, 1 under a fix of our own name.
-std::string property(const std::string& name, double value, const std::string& kind = "peratomtypepair 1") {
-  return "fix ricochet_" + name + " all property/global " + name + " " + kind + " " + shortest(value);
+std::string property(std::string_view name, double value, std::string_view kind = "peratomtypepair 1") {
+  return fmt::format("fix ricochet_{0} all property/global {0} {1} {2}", name, kind, shortest(value));
 }
 
-std::vector<std::string> with_style(std::vector<std::string> lines, const std::string& model) {
-  lines.push_back("pair_style gran model " + model);
-  lines.push_back("pair_coeff * *");
-  return lines;
+std::string with_style(const std::vector<std::string>& properties, std::string_view model) {
+  return fmt::format(R"({}
+pair_style gran model {}
+pair_coeff * *
+)",
+                     fmt::join(properties, "\n"), model);
 }
 
 struct Liggghts {
@@ -34,13 +36,12 @@ struct Liggghts {
     return {
         .fidelity = Fidelity::exact,
         .remarks = {setting(),
-                    "absolute_damping on takes c in kg/s as it is; without it LIGGGHTS wants gamman per "
-                    "effective mass, " +
-                        shortest(law.c() / what.impact.mass_eff) +
-                        " 1/s here. limitForce on clips the attractive part of the force."},
-        .lines = with_style(
+                    fmt::format("absolute_damping on takes c in kg/s as it is; without it LIGGGHTS wants gamman per "
+                                "effective mass, {} 1/s here. limitForce on clips the attractive part of the force.",
+                                shortest(law.c() / what.impact.mass_eff))},
+        .input = with_style(
             {property("kn", law.k()), property("kt", 0), property("gamman_abs", law.c()), property("gammat_abs", 0)},
-            "hooke/stiffness tangential off absolute_damping on " + limit() + " tangential_damping off")};
+            fmt::format("hooke/stiffness tangential off absolute_damping on {} tangential_damping off", limit()))};
   }
 
   Body operator()(const KuwabaraKono& law) const {
@@ -51,36 +52,36 @@ struct Liggghts {
                         "hertz/stiffness multiplies kn by sqrt(R overlap), gamman by that and the effective "
                         "mass: k/sqrt(R), c/(m sqrt(R)).",
                         tied_to_pair()},
-            .lines = with_style({property("kn", law.k() / root), property("kt", 0),
+            .input = with_style({property("kn", law.k() / root), property("kt", 0),
                                  property("gamman", law.c() / (what.impact.mass_eff * root)), property("gammat", 0)},
-                                "hertz/stiffness tangential off " + limit() + " tangential_damping off")};
+                                fmt::format("hertz/stiffness tangential off {} tangential_damping off", limit()))};
   }
 
   Body operator()(const Tsuji& law) const {
     if (!what.radius_eff) return needs_radius();
     const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff));
     if (!en || *en <= 0.05)
-      return absent("NOT WRITTEN: LIGGGHTS refuses a coefficientRestitution of 0.05 or less, this law needs " +
-                    (en ? shortest(*en) : std::string("an overdamped one")) + ".");
+      return absent(
+          fmt::format("NOT WRITTEN: LIGGGHTS refuses a coefficientRestitution of 0.05 or less, this law needs {}.",
+                      en ? shortest(*en) : "an overdamped one"));
     const double young = youngs_modulus(effective_modulus(law.k(), *what.radius_eff), poisson);
-    std::vector<std::string> lines;
-    if (young < 5e6) lines.push_back("soft_particles yes");
-    if (young > 1e9) lines.push_back("hard_particles yes");
-    lines.push_back(property("youngsModulus", young, "peratomtype"));
-    lines.push_back(property("poissonsRatio", poisson, "peratomtype"));
-    lines.push_back(property("coefficientRestitution", *en));
+    std::vector<std::string> properties;
+    if (young < 5e6) properties.push_back("soft_particles yes");
+    if (young > 1e9) properties.push_back("hard_particles yes");
+    properties.push_back(property("youngsModulus", young, "peratomtype"));
+    properties.push_back(property("poissonsRatio", poisson, "peratomtype"));
+    properties.push_back(property("coefficientRestitution", *en));
     Body body{.fidelity = Fidelity::exact,
               .remarks = {setting(),
                           "hertz knows moduli, not stiffnesses: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for "
                           "two equal bodies.",
                           keeps_restitution()},
-              .lines = with_style(lines, "hertz tangential off " + limit() + " tangential_damping off")};
+              .input = with_style(properties, fmt::format("hertz tangential off {} tangential_damping off", limit()))};
     if (what.end == ContactEnd::force)
       body.remarks.push_back(
-          "LIGGGHTS derives the damping for a force that may attract, so with limitForce on it "
-          "rebounds faster than asked; the coefficientRestitution below is the one whose damping "
-          "gives " +
-          shortest(what.en) + ".");
+          fmt::format("LIGGGHTS derives the damping for a force that may attract, so with limitForce on it rebounds "
+                      "faster than asked; the coefficientRestitution below is the one whose damping gives {}.",
+                      shortest(what.en)));
     return body;
   }
 
@@ -92,11 +93,12 @@ struct Liggghts {
     const double half = law.k1() / (law.k1() + 0.5 * (law.k2() - law.k1()));
     return {.fidelity = Fidelity::close,
             .remarks = {setting(),
-                        "luding lets the unloading stiffness grow from k1 at no overlap to k2 at a limit, set here to "
-                        "the greatest overlap of the target's impact: its collision time and restitution are met there "
-                        "alone. At half the velocity the restitution is " +
-                            rounded(std::sqrt(half)) + " (constant k2: " + rounded(what.en) + ")."},
-            .lines =
+                        fmt::format("luding lets the unloading stiffness grow from k1 at no overlap to k2 at a limit, "
+                                    "set here to the greatest overlap of the target's impact: its collision time and "
+                                    "restitution are met there alone. At half the velocity the restitution is {} "
+                                    "(constant k2: {}).",
+                                    rounded(std::sqrt(half)), rounded(what.en))},
+            .input =
                 with_style({property("LoadingStiffness", law.k1()), property("UnloadingStiffness", law.k2() / law.k1()),
                             property("coefficientAdhesionStiffness", 0), property("coefficientPlasticityDepth", depth),
                             property("pullOffForce", 0), property("coefficientRestitution", 1)},
@@ -110,14 +112,10 @@ struct Liggghts {
             .remarks = {setting(),
                         "Run with liggghts-ricochet, which adds this model to LIGGGHTS. Only c^alpha "
                         "k^(1-alpha) acts, for every pair alike.",
-                        "For the same collision time and restitution at every pair's own mass, give in place of the "
-                        "three properties: fix ricochet_collisionTime all property/global collisionTime "
-                        "peratomtypepair 1 " +
-                            shortest(what.tcol) +
-                            " and fix ricochet_coefficientRestitution all "
-                            "property/global coefficientRestitution peratomtypepair 1 " +
-                            shortest(what.en)},
-            .lines = with_style({property("fractionalK", law.k()), property("fractionalC", law.c()),
+                        fmt::format("For the same collision time and restitution at every pair's own mass, give in "
+                                    "place of the three properties: {} and {}",
+                                    property("collisionTime", what.tcol), property("coefficientRestitution", what.en))},
+            .input = with_style({property("fractionalK", law.k()), property("fractionalC", law.c()),
                                  property("fractionalAlpha", law.alpha())},
                                 "fractional tangential off")};
   }
@@ -125,7 +123,7 @@ struct Liggghts {
   /// Any law of which nothing is said above.
   template <class Law>
   Body operator()(const Law&) const {
-    return absent("NOT WRITTEN: LIGGGHTS has no " + std::string(Law::name) + " law.");
+    return no_such_law("LIGGGHTS", Law::name);
   }
 };
 

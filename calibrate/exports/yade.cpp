@@ -13,8 +13,8 @@ struct Yade {
 
   static std::string setting() {
     return "Defines material, ip2 and law2: O.materials.append(material), and "
-           "InteractionLoop([Ig2_Sphere_Sphere_ScGeom()"
-           "], [ip2], [law2]). Set NewtonIntegrator(damping=0): its default of 0.2 would slow every grain. Grains are "
+           "InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [ip2], [law2]). Set NewtonIntegrator(damping=0): its default "
+           "of 0.2 would slow every grain. Grains are "
            "frictionless here.";
   }
   static std::string clips() {
@@ -23,8 +23,8 @@ struct Yade {
   }
 
   std::string material(const std::string& of, const std::string& arguments) const {
-    const std::string density = what.density ? "density=" + shortest(*what.density) + ", " : "";
-    return "material = " + of + "(" + density + arguments + ", frictionAngle=0)";
+    const std::string density = what.density ? fmt::format("density={}, ", shortest(*what.density)) : "";
+    return fmt::format("material = {}({}{}, frictionAngle=0)", of, density, arguments);
   }
 
   Body operator()(const Linear& law) const {
@@ -32,9 +32,12 @@ struct Yade {
               .remarks = {setting(),
                           "Yade joins the two grains' springs and dashpots in series, so the material "
                           "carries twice the pair's k and c."},
-              .lines = {material("ViscElMat",
-                                 "kn=" + shortest(2 * law.k()) + ", cn=" + shortest(2 * law.c()) + ", ks=0, cs=0"),
-                        "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()", "law2 = Law2_ScGeom_ViscElPhys_Basic()"}};
+              .input = fmt::format(R"({}
+ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()
+law2 = Law2_ScGeom_ViscElPhys_Basic()
+)",
+                                   material("ViscElMat", fmt::format("kn={}, cn={}, ks=0, cs=0", shortest(2 * law.k()),
+                                                                     shortest(2 * law.c()))))};
     end_otherwise(body, what, ContactEnd::force, clips());
     return body;
   }
@@ -55,9 +58,13 @@ struct Yade {
                           "exact at every mass; en= would go through a polynomial, and in Yade of 2019 "
                           "through a formula for another end of contact.",
                           keeps_restitution()},
-              .lines = {material("FrictMat", "young=" + shortest(young) + ", poisson=" + shortest(poisson)),
-                        "ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(betan=" + shortest(betan) + ", betas=0)",
-                        "law2 = Law2_ScGeom_MindlinPhys_Mindlin()"}};
+              .input = fmt::format(
+                  R"({}
+ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(betan={}, betas=0)
+law2 = Law2_ScGeom_MindlinPhys_Mindlin()
+)",
+                  material("FrictMat", fmt::format("young={}, poisson={}", shortest(young), shortest(poisson))),
+                  shortest(betan))};
     end_otherwise(body, what, ContactEnd::force, clips());
     return body;
   }
@@ -70,23 +77,26 @@ struct Yade {
     const double half = law.k1() / (law.k1() + 0.5 * (law.k2() - law.k1()));
     return {.fidelity = Fidelity::close,
             .remarks = {setting(),
-                        "LudingMat lets the unloading stiffness grow from k1 at no overlap to kp at a limit, set here "
-                        "to the greatest overlap of the target's impact: its collision time and restitution are met "
-                        "there alone. At half the velocity the restitution is " +
-                            rounded(std::sqrt(half)) + " (constant k2: " + rounded(what.en) + ")."},
-            .lines = {material("LudingMat", "k1=" + shortest(law.k1()) + ", kp=" + shortest(law.k2()) +
-                                                ", kc=0, ks=0, G0=0, PhiF=" + shortest(depth)),
-                      "ip2 = Ip2_LudingMat_LudingMat_LudingPhys()", "law2 = Law2_ScGeom_LudingPhys_Basic()"}};
+                        fmt::format("LudingMat lets the unloading stiffness grow from k1 at no overlap to kp at a "
+                                    "limit, set here to the greatest overlap of the target's impact: its collision "
+                                    "time and restitution are met there alone. At half the velocity the restitution "
+                                    "is {} (constant k2: {}).",
+                                    rounded(std::sqrt(half)), rounded(what.en))},
+            .input = fmt::format(
+                R"({}
+ip2 = Ip2_LudingMat_LudingMat_LudingPhys()
+law2 = Law2_ScGeom_LudingPhys_Basic()
+)",
+                material("LudingMat", fmt::format("k1={}, kp={}, kc=0, ks=0, G0=0, PhiF={}", shortest(law.k1()),
+                                                  shortest(law.k2()), shortest(depth))))};
   }
 
-  Body operator()(const Fractional&) const {
-    return absent("NOT WRITTEN: Yade has no law with memory; LIGGGHTS runs it through liggghts-ricochet.");
-  }
+  Body operator()(const Fractional&) const { return no_memory("Yade"); }
 
   /// Any law of which nothing is said above.
   template <class Law>
   Body operator()(const Law&) const {
-    return absent("NOT WRITTEN: Yade has no " + std::string(Law::name) + " law.");
+    return no_such_law("Yade", Law::name);
   }
 };
 

@@ -1,5 +1,7 @@
 #include "report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace ricochet::calibration {
@@ -29,9 +31,8 @@ Cell parameter_cell(const AnyLaw& law, const Column& column) {
 }
 
 std::vector<Cell> row_of(const Calibration& r) {
-  std::string status = "calibrated";
-  for (const auto& remark : r.remarks) status += "; " + remark;
-  std::vector<Cell> row{std::string(name(r.law)), std::string(text(r.end)), status};
+  const std::string remarks = r.remarks.empty() ? "" : fmt::format("; {}", fmt::join(r.remarks, "; "));
+  std::vector<Cell> row{std::string(name(r.law)), std::string(text(r.end)), "calibrated" + remarks};
   for (const auto& column : parameter_columns()) row.push_back(parameter_cell(r.law, column));
   row.insert(row.end(),
              {r.achieved.tcol, r.achieved.en, r.tcol_residual, r.en_residual, r.achieved.max_overlap,

@@ -4,6 +4,8 @@
 #include <console/exit.hpp>
 #include <console/json.hpp>
 
+#include <fmt/format.h>
+
 namespace ricochet::calibration {
 namespace {
 
@@ -54,10 +56,10 @@ std::string exported(const Report& report, const std::string& name_of_engine, co
   if (format == console::Format::json) return document_of(snippets, engine);
   std::string all = combine(snippets);
   for (const Infeasible& missed : report.infeasible)
-    all += "\n" + comment(engine, "Ricochet: the " + std::string(missed.law.name()) + " law ended by " +
-                                      std::string(text(missed.end)) + " can't reach the target.");
+    all += "\n" + comment(engine, fmt::format("Ricochet: the {} law ended by {} can't reach the target.",
+                                              missed.law.name(), text(missed.end)));
   for (const Failure& failure : report.failed)
-    all += "\n" + comment(engine, "Ricochet: failed: " + failure.reason + ".");
+    all += "\n" + comment(engine, fmt::format("Ricochet: failed: {}.", failure.reason));
   return all;
 }
 

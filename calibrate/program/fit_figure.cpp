@@ -1,10 +1,15 @@
 #include "fit_figure.hpp"
 
+#include <console/gnuplot.hpp>
 #include <console/number.hpp>
 #include <console/table.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace ricochet::calibration {
 namespace {
@@ -12,7 +17,7 @@ namespace {
 using console::Table;
 
 /// Laws that say the same at every measured speed.
-struct Curve {
+struct Line {
   const Fit* fit;
   std::string title;
 };
@@ -24,29 +29,29 @@ bool same(const Fit& a, const Fit& b) {
                     });
 }
 
-std::vector<Curve> curves_of(const std::vector<Fit>& fits) {
-  std::vector<Curve> curves;
+std::vector<Line> lines_of(const std::vector<Fit>& fits) {
+  std::vector<Line> curves;
   for (const Fit& fit : fits) {
-    const auto twin = std::find_if(curves.begin(), curves.end(), [&](const Curve& c) { return same(*c.fit, fit); });
+    const auto twin = std::find_if(curves.begin(), curves.end(), [&](const Line& c) { return same(*c.fit, fit); });
     if (twin == curves.end())
       curves.push_back({&fit, fit_name(fit.request)});
     else
-      twin->title += "; " + fit_name(fit.request);
+      twin->title += fmt::format("; {}", fit_name(fit.request));
   }
   return curves;
 }
 
-std::vector<console::Column> columns_of(std::vector<console::Column> first, const std::vector<Curve>& curves,
+std::vector<console::Column> columns_of(std::vector<console::Column> first, const std::vector<Line>& curves,
                                         bool times) {
-  for (const Curve& curve : curves) {
-    first.push_back({"en, " + curve.title});
-    if (times) first.push_back({"tcol, " + curve.title, "s"});
+  for (const Line& curve : curves) {
+    first.push_back({fmt::format("en, {}", curve.title)});
+    if (times) first.push_back({fmt::format("tcol, {}", curve.title), "s"});
   }
   return first;
 }
 
 /// The curves between the slowest and the fastest impact.
-Table lines(const std::vector<Curve>& curves, const std::vector<Measurement>& data, bool times) {
+Table lines(const std::vector<Line>& curves, const std::vector<Measurement>& data, bool times) {
   constexpr int steps = 100;
   const auto [slowest, fastest] = std::minmax_element(
       data.begin(), data.end(), [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; });
@@ -54,7 +59,7 @@ Table lines(const std::vector<Curve>& curves, const std::vector<Measurement>& da
   for (int i = 0; i <= steps; ++i) {
     const double v = slowest->velocity * std::pow(fastest->velocity / slowest->velocity, i / double{steps});
     std::vector<console::Cell> row{v};
-    for (const Curve& curve : curves) {
+    for (const Line& curve : curves) {
       const Prediction p = predict(*curve.fit, v);
       row.push_back(p.en);
       if (times) row.push_back(p.tcol);
@@ -65,13 +70,13 @@ Table lines(const std::vector<Curve>& curves, const std::vector<Measurement>& da
 }
 
 /// The measurements, and what each curve leaves over of them, measured − fitted.
-Table points(const std::vector<Curve>& curves, const std::vector<Measurement>& data, bool times) {
+Table points(const std::vector<Line>& curves, const std::vector<Measurement>& data, bool times) {
   Table table(
       columns_of({{"velocity", "m/s"}, {"en"}, {"en_sigma"}, {"tcol", "s"}, {"tcol_sigma", "s"}}, curves, times));
   for (std::size_t i = 0; i < data.size(); ++i) {
     const Measurement& m = data[i];
     std::vector<console::Cell> row{m.velocity, m.en, m.en_sigma, m.tcol, m.tcol_sigma};
-    for (const Curve& curve : curves) {
+    for (const Line& curve : curves) {
       const Prediction& p = curve.fit->predictions[i];
       row.push_back((m.en - p.en) / (m.en_sigma > 0 ? m.en_sigma : 1));
       if (times) row.push_back((m.tcol - p.tcol) / m.tcol_sigma);
@@ -82,14 +87,11 @@ Table points(const std::vector<Curve>& curves, const std::vector<Measurement>& d
 }
 
 /// gnuplot's choice, but where all values are the same a range around them, which it would warn of.
-std::string range_of(const char* axis, const std::vector<double>& values) {
+std::optional<std::pair<double, double>> range_of(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  std::string range = "[*:*]";
-  if (!(*high - *low > 1e-6 * std::abs(*high))) {
-    const double room = *high == 0 ? 1 : 0.5 * std::abs(*high);
-    range = "[" + console::shortest(*low - room) + ":" + console::shortest(*high + room) + "]";
-  }
-  return "set " + std::string(axis) + "range " + range + "\n";
+  if (*high - *low > 1e-6 * std::abs(*high)) return std::nullopt;
+  const double room = *high == 0 ? 1 : 0.5 * std::abs(*high);
+  return std::pair(*low - room, *high + room);
 }
 
 /// A column of the table, a number in each row.
@@ -99,45 +101,54 @@ std::vector<double> column(const Table& table, std::size_t index) {
   return values;
 }
 
-/// The panel of one quantity: its column among the points, and how many columns a curve has.
-struct Panel {
+/// One quantity: its columns among the points, the first of them counted from that of en, and how many columns a
+/// curve has.
+struct Quantity {
   std::string label, measured;
   std::size_t offset, stride;
 };
 
-std::string upper(const Panel& panel, const Table& measured, const std::vector<Curve>& curves, bool known,
-                  bool titled) {
-  std::string script = range_of("y", column(measured, 1 + 2 * panel.offset)) + "set ylabel '" + panel.label +
-                       "'\nset format x ''\nunset xlabel\nplot 'fit_points.csv' skip 1 using 1:" + panel.measured +
-                       (known ? " with yerrorbars" : " with points") + " pt 7 ps 0.6 lc black " +
-                       (titled ? "title 'measured'" : "notitle");
+/// What was measured, and every curve.
+console::Panel upper(const Quantity& of, const Table& measured, const std::vector<Line>& curves, bool known,
+                     const std::string& key) {
+  console::Panel panel{.x = {.log = true, .range = range_of(column(measured, 0)), .format = ""},
+                       .y = {.label = of.label, .range = range_of(column(measured, 1 + 2 * of.offset))},
+                       .curves = {{.file = "fit_points.csv",
+                                   .what = fmt::format("1:{}", of.measured),
+                                   .style = fmt::format("{} pt 7 ps 0.6 lc black", known ? "yerrorbars" : "points"),
+                                   .title = "measured"}},
+                       .key = key};
   for (std::size_t i = 0; i < curves.size(); ++i)
-    script += ", 'fit_lines.csv' skip 1 using 1:" + std::to_string(2 + panel.offset + i * panel.stride) +
-              " with lines lw 2 lt " + std::to_string(i + 1) +
-              (titled ? " title '" + curves[i].title + "'" : " notitle");
-  return script + "\n";
+    panel.curves.push_back({.file = "fit_lines.csv",
+                            .what = fmt::format("1:{}", 2 + of.offset + i * of.stride),
+                            .style = fmt::format("lines lw 2 lt {}", i + 1),
+                            .title = curves[i].title});
+  return panel;
 }
 
-std::string lower(const Panel& panel, const Table& measured, const std::vector<Curve>& curves, bool known) {
+/// What the curves leave over.
+console::Panel lower(const Quantity& of, const Table& measured, std::size_t curves, bool known) {
   std::vector<double> left_over{0};
-  for (std::size_t i = 0; i < curves.size(); ++i)
-    for (const double value : column(measured, 5 + panel.offset + i * panel.stride)) left_over.push_back(value);
-  std::string script = range_of("y", left_over) + "set ylabel '" +
-                       std::string(known ? "residual / standard error" : "residual") +
-                       "'\nset format x '%g'\nset xlabel 'impact velocity [m/s]'\nplot 0 lc black lw 1 notitle";
-  for (std::size_t i = 0; i < curves.size(); ++i)
-    script += ", 'fit_points.csv' skip 1 using 1:" + std::to_string(6 + panel.offset + i * panel.stride) +
-              " with points pt 7 ps 0.7 lt " + std::to_string(i + 1) + " notitle";
-  return script + "\n";
+  for (std::size_t i = 0; i < curves; ++i)
+    for (const double value : column(measured, 5 + of.offset + i * of.stride)) left_over.push_back(value);
+  console::Panel panel{
+      .x = {.label = "impact velocity [m/s]", .log = true, .range = range_of(column(measured, 0)), .format = "%g"},
+      .y = {.label = known ? "residual / standard error" : "residual", .range = range_of(left_over)},
+      .curves = {{.what = "0", .style = "lines lc black lw 1"}}};
+  for (std::size_t i = 0; i < curves; ++i)
+    panel.curves.push_back({.file = "fit_points.csv",
+                            .what = fmt::format("1:{}", 6 + of.offset + i * of.stride),
+                            .style = fmt::format("points pt 7 ps 0.7 lt {}", i + 1)});
+  return panel;
 }
 
 std::string finding_of(const std::vector<Fit>& fits) {
   const auto best =
       std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.aic < b.aic; });
-  std::string text = "By the AIC " + fit_name(best->request) + " fits best";
+  std::string text = fmt::format("By the AIC {} fits best", fit_name(best->request));
   for (const Fit& fit : fits)
     if (&fit != &*best)
-      text += ", " + fit_name(fit.request) + " is " + console::fixed(fit.aic - best->aic, 1) + " over it";
+      text += fmt::format(", {} is {} over it", fit_name(fit.request), console::fixed(fit.aic - best->aic, 1));
   return text + ".";
 }
 
@@ -145,23 +156,28 @@ std::string finding_of(const std::vector<Fit>& fits) {
 
 console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measurement>& data) {
   const bool known = data.front().en_sigma > 0, times = data.front().tcol > 0;
-  const auto curves = curves_of(fits);
-  std::vector<Panel> panels{{"restitution", known ? "2:3" : "2", 0, times ? 2u : 1u}};
-  if (times) panels.push_back({"collision time [s]", "4:5", 1, 2});
+  const auto curves = lines_of(fits);
+  std::vector<Quantity> quantities{{"restitution", known ? "2:3" : "2", 0, times ? 2u : 1u}};
+  if (times) quantities.push_back({"collision time [s]", "4:5", 1, 2});
   constexpr int height = 640, line = 20, axis = 60;  // pixels; the key stands under the plots, a line a curve
   const double foot = static_cast<double>(axis + line * (static_cast<int>(curves.size()) + 1)) / height;
   const Table measured = points(curves, data, times);
-  std::string script =
-      range_of("x", column(measured, 0)) +
-      "set logscale x\nset key at screen 0.5,0.01 center bottom vertical maxcols 1\nset multiplot layout 2," +
-      std::to_string(panels.size()) + " margins " + (times ? "0.09,0.98," : "0.12,0.97,") + console::fixed(foot, 3) +
-      ",0.97 spacing 0.13,0.05\n";
-  for (std::size_t i = 0; i < panels.size(); ++i) script += upper(panels[i], measured, curves, known, i == 0);
-  for (const Panel& panel : panels) script += lower(panel, measured, curves, known);
+  console::Plot plot{.layout = console::Layout{.rows = 2,
+                                               .columns = static_cast<int>(quantities.size()),
+                                               .left = times ? 0.09 : 0.12,
+                                               .right = times ? 0.98 : 0.97,
+                                               .bottom = foot,
+                                               .top = 0.97,
+                                               .between_columns = 0.13,
+                                               .between_rows = 0.05}};
+  std::string key = "at screen 0.5,0.01 center bottom vertical maxcols 1";  // the first panel's, for all
+  for (const Quantity& q : quantities) plot.panels.push_back(upper(q, measured, curves, known, std::exchange(key, "")));
+  for (const Quantity& q : quantities) plot.panels.push_back(lower(q, measured, curves.size(), known));
   return {"fit",
-          "Measured restitution" + std::string(times ? " and collision times" : "") +
-              " against impact velocity with the fitted laws; below, what they leave over.",
-          script + "unset multiplot\n",
+          fmt::format("Measured restitution{} against impact velocity with the fitted laws; below, what they leave "
+                      "over.",
+                      times ? " and collision times" : ""),
+          console::script_of(plot),
           {{"fit_points.csv", measured.csv()}, {"fit_lines.csv", lines(curves, data, times).csv()}},
           times ? 1000 : 720,
           height,

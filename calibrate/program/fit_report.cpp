@@ -9,6 +9,8 @@
 #include <console/plot.hpp>
 #include <console/signals.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -60,10 +62,10 @@ Table parameter_table(const FitReport& report) {
   for (const Fit& fit : report.fits)
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
       const Estimate& p = fit.parameters[i];
-      std::string row;
+      std::vector<std::string> row;
       for (std::size_t j = 0; j <= i && fit.parameters.size() > 1; ++j)
-        row += (j ? " " : "") + console::fixed(fit.correlations[i][j], 3);
-      table.row({fit_name(fit.request), p.name, p.value, p.error, p.unit, row});
+        row.push_back(console::fixed(fit.correlations[i][j], 3));
+      table.row({fit_name(fit.request), p.name, p.value, p.error, p.unit, fmt::format("{}", fmt::join(row, " "))});
     }
   if (report.data.front().tcol > 0)  // without times the mass has no part in what is told
     for (const auto& assumption : report.assumptions) table.note("assumed: " + assumption);
@@ -208,7 +210,7 @@ void fit_all(FitReport& report, const std::vector<FitRequest>& requests, const s
     }
   }
   if (!report.fits.empty()) return;
-  const std::string reason = file + ": " + report.left_out.back().reason;
+  const std::string reason = fmt::format("{}: {}", file, report.left_out.back().reason);
   if (misuse) throw BadInput(reason);
   throw console::Failed(reason);
 }

@@ -4,10 +4,13 @@
 #include <console/exit.hpp>
 #include <console/number.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace ricochet::calibration {
 namespace {
@@ -27,12 +30,12 @@ double positive(const char* flag, double value) {
 
 /// The positive value of an option that must have been given.
 double needed(const char* flag, const std::optional<double>& value, const char* what) {
-  if (!value) throw BadInput(std::string(flag) + ": missing: must be given, " + what);
+  if (!value) throw BadInput(fmt::format("{}: missing: must be given, {}", flag, what));
   return positive(flag, *value);
 }
 
 void refuse_with(const char* flag, const std::optional<double>& value, bool given, const char* companion) {
-  if (value && given) throw BadInput(flag, shortest(*value), std::string("left out with ") + companion);
+  if (value && given) throw BadInput(flag, shortest(*value), fmt::format("left out with {}", companion));
 }
 
 double sphere_mass(double radius, double density) {
@@ -78,8 +81,8 @@ double mass_eff(const Options& o, Job& job) {
     return *o.mass_eff;
   }
   if (speaks_of_spheres(o)) return usable_mass(mass_of_spheres(o, job));
-  job.assumptions.push_back("effective mass " + shortest(default_mass_eff) +
-                            " kg, two spheres of radius 1.5 mm and 1000 kg/m^3 (--mass-eff)");
+  job.assumptions.push_back(fmt::format(
+      "effective mass {} kg, two spheres of radius 1.5 mm and 1000 kg/m^3 (--mass-eff)", shortest(default_mass_eff)));
   job.radius_eff = default_radius_eff;
   job.density = default_density;
   return default_mass_eff;
@@ -89,7 +92,8 @@ Target target_of(const Options& o, Job& job) {
   const double tcol = needed("--tcol", o.tcol, "a collision time [s], > 0");
   if (!o.en) throw BadInput("--en: missing: must be given, a restitution in (0, 1]");
   if (!(*o.en > 0 && *o.en <= 1)) throw BadInput("--en", shortest(*o.en), "in (0, 1]");
-  if (!o.velocity) job.assumptions.push_back("impact velocity " + shortest(default_velocity) + " m/s (--velocity)");
+  if (!o.velocity)
+    job.assumptions.push_back(fmt::format("impact velocity {} m/s (--velocity)", shortest(default_velocity)));
   const double velocity = positive("--velocity", o.velocity.value_or(default_velocity));
   return {tcol, *o.en, {velocity, mass_eff(o, job)}};
 }
@@ -113,10 +117,8 @@ std::vector<ContactEnd> ends_of(const Options& o, LawKind law) {
 }  // namespace
 
 std::string law_names() {
-  std::string list;
-  for (std::size_t i = 0; i < Laws::size; ++i)
-    list += (i == 0 ? "" : i + 1 < Laws::size ? ", " : " or ") + std::string(Laws::names[i]);
-  return list;
+  const std::span all(Laws::names);
+  return fmt::format("{} or {}", fmt::join(all.first(all.size() - 1), ", "), all.back());
 }
 
 LawKind law_named(std::string_view flag, std::string_view name) {
@@ -134,7 +136,7 @@ ContactEnd end_named(std::string_view flag, std::string_view name) {
 void take_only(const Options& options, std::string_view mode, std::initializer_list<std::string_view> accepted) {
   for (const std::string& name : options.given)
     if (std::find(accepted.begin(), accepted.end(), name) == accepted.end())
-      throw BadInput(name + ": must be left out with " + std::string(mode));
+      throw BadInput(fmt::format("{}: must be left out with {}", name, mode));
 }
 
 TargetDefaults target_defaults(const Options& o) {
@@ -154,7 +156,7 @@ Job job_of(const Options& o) {
   if (o.stiffness) positive("--stiffness", *o.stiffness);
   if (o.stiffness && o.law != "all" && o.law != "fractional")
     throw BadInput("--stiffness", shortest(*o.stiffness),
-                   "left out with --law " + o.law + "; only fractional holds a k");
+                   fmt::format("left out with --law {}; only fractional holds a k", o.law));
   for (const auto law : laws_of(o)) {
     const auto ends = ends_of(o, law);
     if (ends.empty() && o.law != "all") throw BadInput("--end", o.end, "force with --law " + o.law);

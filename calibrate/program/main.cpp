@@ -7,6 +7,7 @@
 #include <console/signals.hpp>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <optional>
 
@@ -16,8 +17,7 @@ using namespace ricochet::calibration;
 namespace {
 
 std::string lone_failure(const Infeasible& missed) {
-  return "--law " + std::string(missed.law.name()) + " --end " + std::string(text(missed.end)) + ": " +
-         explained(missed);
+  return fmt::format("--law {} --end {}: {}", missed.law.name(), text(missed.end), explained(missed));
 }
 
 console::Exit work(Options& options) {
@@ -26,7 +26,7 @@ console::Exit work(Options& options) {
     throw console::BadInput("--alpha-of-speed and --figures: must be left out without --fit");
   if (!options.targets.empty()) return run_targets(options);
   if (options.threads)
-    throw console::BadInput("--threads", std::to_string(*options.threads), "left out without --targets");
+    throw console::BadInput("--threads", fmt::format_int(*options.threads).str(), "left out without --targets");
   if (options.law.empty()) options.law = "all";
   options.settings.method = options.method == "direct" ? Method::direct : Method::nlopt;
   const Report report = run(job_of(options), options.settings);
@@ -54,8 +54,7 @@ int main(int argc, char** argv) {
   add_options(app, options);
   app.footer(
       "Exit code 0: done; 1: a row of --targets failed; 2: bad input; 3: the law cannot reach the target; 4: the "
-      "computation, "
-      "or writing its result, failed.");
+      "computation, or writing its result, failed.");
   return console::run_program(app, argc, argv, [&] {
     for (const CLI::Option* option : app.get_options())
       if (option->count() > 0) options.given.push_back(option->get_name());

@@ -3,6 +3,7 @@
 #include <console/number.hpp>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,22 +12,16 @@
 namespace ricochet::calibration {
 namespace {
 
-std::string spelled(const std::vector<std::string>& names) {
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 /// An option that takes one of `names`; a message names flag, value and choices.
 void add_choice(CLI::App& app, const std::string& flag, std::string& target, const std::vector<std::string>& names,
                 const std::string& description) {
-  const std::string list = spelled(names);
+  const std::string list = fmt::format("{}", fmt::join(names, ", "));
   const auto read = [&target, flag, list, names](const std::string& value) {
     if (std::find(names.begin(), names.end(), value) == names.end())
-      throw CLI::ValidationError(flag + " = " + value + ": must be one of " + list);
+      throw CLI::ValidationError(fmt::format("{} = {}: must be one of {}", flag, value, list));
     target = value;
   };
-  app.add_option_function<std::string>(flag, read, description + ": " + list)->type_name("NAME");
+  app.add_option_function<std::string>(flag, read, fmt::format("{}: {}", description, list))->type_name("NAME");
 }
 
 /// The headings of --help, in its order.
@@ -71,7 +66,7 @@ void add_options(CLI::App& app, Options& o) {
   const auto read_threads = [&o](const std::string& value) {
     const auto number = console::parse_number(value);
     if (!number || *number < 1 || *number > 1024 || *number != std::floor(*number))
-      throw CLI::ValidationError("--threads = " + value + ": must be a whole number from 1 to 1024");
+      throw CLI::ValidationError(fmt::format("--threads = {}: must be a whole number from 1 to 1024", value));
     o.threads = static_cast<unsigned>(*number);
   };
   app.add_option_function<std::string>("--threads", read_threads, "threads of --targets (default: all cores)")

@@ -2,12 +2,15 @@
 
 #include <calibrate/advice.hpp>
 #include <calibrate/export.hpp>
+#include <console/gnuplot.hpp>
 #include <console/html.hpp>
 #include <console/number.hpp>
 #include <console/panels.hpp>
 
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/trace.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -22,9 +25,7 @@ using console::Table;
 
 constexpr std::array bounds{0.05, 0.01, 0.001};  ///< errors of e_n that the time step is given for
 
-std::string title_of(const Calibration& r) {
-  return std::string(name(r.law)) + (r.end == ContactEnd::overlap ? ", ended by overlap" : ", ended by force");
-}
+std::string title_of(const Calibration& r) { return fmt::format("{}, ended by {}", name(r.law), text(r.end)); }
 
 /// The curves of one law up to the end of its contact; those of the fractional law are the closed form.
 struct Curves {
@@ -62,10 +63,11 @@ console::Figure curves_figure(const Report& report) {
   }
   auto figure = console::collision_panels(
       "collision", "Overlap, velocity and force during the collision, under every law.", motions);
-  figure.finding =
-      "All laws end after the same time with the same velocity; on the way the greatest force ranges from " +
-      console::significant(least->achieved.max_force, 3) + " N (" + title_of(*least) + ") to " +
-      console::significant(most->achieved.max_force, 3) + " N (" + title_of(*most) + ").";
+  figure.finding = fmt::format(
+      "All laws end after the same time with the same velocity; on the way the greatest force ranges from {} N ({}) to "
+      "{} N ({}).",
+      console::significant(least->achieved.max_force, 3), title_of(*least),
+      console::significant(most->achieved.max_force, 3), title_of(*most));
   return figure;
 }
 
@@ -97,7 +99,7 @@ std::vector<Stepping> steppings(const Report& report) {
 Table step_table(const std::vector<Stepping>& all, double tcol) {
   std::vector<console::Column> columns{{"law"}, {"end"}};
   for (const double bound : bounds) {
-    columns.push_back({"steps for " + console::shortest(100 * bound) + " %"});
+    columns.push_back({fmt::format("steps for {} %", console::shortest(100 * bound))});
     columns.push_back({"time step", "s", {Notation::Kind::significant, 3}});
   }
   Table table(columns, "Time steps a collision for a stated greatest error of e_n");
@@ -115,87 +117,105 @@ Table step_table(const std::vector<Stepping>& all, double tcol) {
 }
 
 console::Figure step_figure(const std::vector<Stepping>& all) {
-  std::string csv = "law,steps,error of en\n", plot;
+  std::string csv = "law,steps,error of en\n";
+  console::Panel panel{.x = {.label = "time steps a collision, t_{col}/Δt", .log = true},
+                       .y = {.label = "greatest relative error of e_n", .log = true, .format = "%g"},
+                       .key = "outside right center"};
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i) csv += "\n\n";
     for (const StepError& e : all[i].errors)
-      if (e.error > 0)
-        csv += '"' + all[i].title + "\"," + std::to_string(e.steps) + "," + console::shortest(e.error) + "\n";
-    plot += (i ? ", \\\n  " : "plot ") + std::string("'steps.csv' ") + (i ? "" : "skip 1 ") + "index " +
-            std::to_string(i) + " using 2:3 with linespoints lt " + std::to_string(i % 7 + 1) + " ps 0.7 title '" +
-            all[i].title + "'";
+      if (e.error > 0) csv += fmt::format("\"{}\",{},{}\n", all[i].title, e.steps, console::shortest(e.error));
+    panel.curves.push_back({.file = "steps.csv",
+                            .block = i,
+                            .what = "2:3",
+                            .style = fmt::format("linespoints lt {} ps 0.7", i % 7 + 1),
+                            .title = all[i].title});
   }
   console::Figure figure{
       .name = "steps",
       .caption = "Greatest error of e_n against the number of time steps a collision, as engines step it.",
-      .script =
-          "set logscale xy\nset format y '%g'\nset xlabel 'time steps a collision, t_{col}/Δt'\n"
-          "set ylabel 'greatest relative error of e_n'\nset key outside right center\n" +
-          plot + "\n",
+      .script = console::script_of({.panels = {panel}}),
       .data = {{"steps.csv", csv}},
       .width = 960,
       .height = 460};
   const auto worst = std::max_element(all.begin(), all.end(), [](const Stepping& a, const Stepping& b) {
     return a.errors[5].error < b.errors[5].error;
   });
-  figure.finding = "With " + std::to_string(worst->errors[5].steps) + " steps a collision the error is " +
-                   console::significant(100 * worst->errors[5].error, 2) + " % at worst (" + worst->title +
-                   "); from 100 to 1000 steps it falls like the step to the power " +
-                   console::fixed(std::log10(worst->errors[9].error / worst->errors[15].error), 2) + ".";
+  figure.finding = fmt::format(
+      "With {} steps a collision the error is {} % at worst ({}); from 100 to 1000 steps it falls like the step to the "
+      "power {}.",
+      worst->errors[5].steps, console::significant(100 * worst->errors[5].error, 2), worst->title,
+      console::fixed(std::log10(worst->errors[9].error / worst->errors[15].error), 2));
   return figure;
 }
 
 std::string target_text(const Target& target) {
-  using console::shortest;
-  return "tcol = " + shortest(target.tcol) + " s, en = " + shortest(target.en);
+  return fmt::format("tcol = {} s, en = {}", console::shortest(target.tcol), console::shortest(target.en));
 }
 
 std::string snippets(const Report& report) {
-  std::string html =
-      "<h2 id=\"export\">For the engines</h2>\n<p>The first law that an engine runs exactly is active, the others are "
-      "comments.</p>\n";
+  std::string html = R"(<h2 id="export">For the engines</h2>
+<p>The first law that an engine runs exactly is active, the others are comments.</p>
+)";
   for (const Engine engine : engines()) {
     const std::string word(text(engine));
-    html += "<h3>" + escaped(version(engine)) + "</h3>\n" +
-            console::html_code("code-" + word, "Input for " + word, exported(report, word, console::Format::table));
+    html += fmt::format(
+        "<h3>{}</h3>\n{}", escaped(version(engine)),
+        console::html_code("code-" + word, "Input for " + word, exported(report, word, console::Format::table)));
   }
   return html;
+}
+
+std::string head(const Target& target) {
+  return fmt::format(
+      R"(<header>
+<h1>Contact laws for a measured rebound</h1>
+<p class="lead">{} at {} m/s, effective mass {} kg</p>
+<p>Parameters of every contact law that make a collision take this time and keep this share of the velocity, proved by)"
+      R"( an independent numerical collision.</p>
+</header>
+<main id="content">
+<h2 id="parameters">Parameters</h2>
+)",
+      escaped(target_text(target)), console::shortest(target.impact.velocity),
+      console::significant(target.impact.mass_eff, 9));
+}
+
+/// What the laws do: curves, sensitivities, time steps, and the engines' input.
+std::string about_laws(const Report& report) {
+  const auto all = steppings(report);
+  const auto curves = curves_figure(report), steps = step_figure(all);
+  return fmt::format(
+      R"(<h2 id="curves">The collision</h2>
+{}<h2 id="sensitivity">Sensitivity</h2>
+{}<h2 id="step">Which time step</h2>
+<p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force from the position at the end of the step)"
+      R"( and the velocity at its middle, a contact found once the bodies overlap. The error is the greatest over)"
+      R"( sixteen places of the first touch within a step. liggghts-ricochet locates the touch and needs fewer)"
+      R"( steps for the fractional law than this table says.</p>
+{}{}{})",
+      console::html_figure(curves, console::svg_of(curves), {}),
+      console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}),
+      console::html_table(step_table(all, report.job.target.tcol), {.id = "steps", .shown = 40}),
+      console::html_figure(steps, console::svg_of(steps), {}), snippets(report));
 }
 
 }  // namespace
 
 std::string page_of(const Report& report) {
-  const Target& target = report.job.target;
-  std::string body = "<header>\n<h1>Contact laws for a measured rebound</h1>\n<p class=\"lead\">" +
-                     escaped(target_text(target)) + " at " + console::shortest(target.impact.velocity) +
-                     " m/s, effective mass " + console::significant(target.impact.mass_eff, 9) +
-                     " kg</p>\n<p>Parameters of every contact law that make a collision take this time and keep this "
-                     "share of the velocity, "
-                     "proved by an independent numerical collision.</p>\n</header>\n<main id=\"content\">\n<h2 "
-                     "id=\"parameters\">Parameters</h2>\n";
+  std::string body = head(report.job.target);
   const auto tables = tables_of(report);
   for (std::size_t i = 0; i < tables.size(); ++i)
-    body += console::html_table(tables[i], {.id = "table-" + std::to_string(i + 1), .shown = 40});
-  if (!report.results.empty()) {
-    const auto all = steppings(report);
-    const auto curves = curves_figure(report), steps = step_figure(all);
-    body += "<h2 id=\"curves\">The collision</h2>\n" + console::html_figure(curves, console::svg_of(curves), {}) +
-            "<h2 id=\"sensitivity\">Sensitivity</h2>\n" +
-            console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}) +
-            "<h2 id=\"step\">Which time step</h2>\n<p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force "
-            "from the position at the "
-            "end of the step and the velocity at its middle, a contact found once the bodies overlap. The error is the "
-            "greatest over "
-            "sixteen places of the first touch within a step. liggghts-ricochet locates the touch and needs fewer "
-            "steps for the "
-            "fractional law than this table says.</p>\n" +
-            console::html_table(step_table(all, target.tcol), {.id = "steps", .shown = 40}) +
-            console::html_figure(steps, console::svg_of(steps), {}) + snippets(report);
-  }
-  body += "<h2 id=\"data\">Everything as JSON</h2>\n<details><summary>ricochet/calibration/1</summary>\n" +
-          console::html_code("code-json", "The calibration as JSON", json_of(report)) +
-          "</details>\n</main>\n<footer><p>Ricochet. SI units.</p></footer>\n";
-  return console::html_page("Contact laws for " + target_text(target), body);
+    body += console::html_table(tables[i], {.id = fmt::format("table-{}", i + 1), .shown = 40});
+  if (!report.results.empty()) body += about_laws(report);
+  body += fmt::format(R"(<h2 id="data">Everything as JSON</h2>
+<details><summary>ricochet/calibration/1</summary>
+{}</details>
+</main>
+<footer><p>Ricochet. SI units.</p></footer>
+)",
+                      console::html_code("code-json", "The calibration as JSON", json_of(report)));
+  return console::html_page(fmt::format("Contact laws for {}", target_text(report.job.target)), body);
 }
 
 }  // namespace ricochet::calibration

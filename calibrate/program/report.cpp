@@ -2,6 +2,8 @@
 
 #include <console/number.hpp>
 
+#include <fmt/format.h>
+
 namespace ricochet::calibration {
 namespace {
 
@@ -29,10 +31,10 @@ Report run(const Job& job, const Settings& settings) {
 std::string explained(const Infeasible& missed) {
   if (missed.quantity.empty()) return missed.reason;
   using console::significant;
-  const std::string range = missed.lowest == missed.highest
-                                ? console::shortest(missed.lowest)
-                                : "in [" + significant(missed.lowest, 6) + ", " + significant(missed.highest, 6) + "]";
-  return missed.quantity + " = " + console::shortest(missed.asked) + ": must be " + range + ": " + missed.reason;
+  const std::string range = missed.lowest == missed.highest ? console::shortest(missed.lowest)
+                                                            : fmt::format("in [{}, {}]", significant(missed.lowest, 6),
+                                                                          significant(missed.highest, 6));
+  return fmt::format("{} = {}: must be {}: {}", missed.quantity, console::shortest(missed.asked), range, missed.reason);
 }
 
 std::string render(const Report& report, console::Format format) {

@@ -2,6 +2,8 @@
 
 #include <console/number.hpp>
 
+#include <fmt/format.h>
+
 namespace ricochet::calibration {
 namespace {
 
@@ -20,9 +22,8 @@ Table parameter_table(const Report& report) {
   const auto& [tcol, en, impact] = report.job.target;
   using console::shortest;
   Table table({{"law"}, {"end"}, {"parameter"}, {"value", "", nine}, {"unit"}},
-              "Parameters for tcol = " + shortest(tcol) + " s, en = " + shortest(en) + " at " +
-                  shortest(impact.velocity) + " m/s, effective mass " + console::significant(impact.mass_eff, 9) +
-                  " kg");
+              fmt::format("Parameters for tcol = {} s, en = {} at {} m/s, effective mass {} kg", shortest(tcol),
+                          shortest(en), shortest(impact.velocity), console::significant(impact.mass_eff, 9)));
   for (const auto& r : report.results)
     for (const auto& p : parameters(r.law)) table.row({law_of(r), end_of(r), p.name, p.value, p.unit});
   for (const auto& assumption : report.job.assumptions) table.note("assumed: " + assumption);
@@ -32,13 +33,13 @@ Table parameter_table(const Report& report) {
 void note_fractional(Table& table, const Calibration& r) {
   const auto* law = std::get_if<Fractional>(&r.law);
   if (!law) return;
-  const std::string product =
-      "c^alpha k^(1-alpha) = " + console::significant(law->coefficient(), 9) + " kg s^(alpha-2)";
   if (law->alpha() == 0)
     table.note("fractional: alpha = 0 is a spring and c has no effect; sqrt(k m) is shown for it");
   else
-    table.note("fractional, ended by " + end_of(r) + ": only alpha and " + product +
-               " are identifiable; k is held and c goes with it");
+    table.note(
+        fmt::format("fractional, ended by {}: only alpha and c^alpha k^(1-alpha) = {} kg s^(alpha-2) are identifiable; "
+                    "k is held and c goes with it",
+                    end_of(r), console::significant(law->coefficient(), 9)));
 }
 
 Table collision_table(const Report& report) {
@@ -84,7 +85,7 @@ Table check_table(const Report& report) {
                std::abs(r.tcol_residual), std::abs(r.en_residual), std::string(text(r.cross_method)),
                r.cross_difference});
   for (const auto& r : report.results)
-    for (const auto& remark : r.remarks) table.note(law_of(r) + ", ended by " + end_of(r) + ": " + remark);
+    for (const auto& remark : r.remarks) table.note(fmt::format("{}, ended by {}: {}", law_of(r), end_of(r), remark));
   return table;
 }
 

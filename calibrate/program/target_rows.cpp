@@ -5,6 +5,8 @@
 #include <console/exit.hpp>
 #include <console/number.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace ricochet::calibration {
@@ -37,7 +39,8 @@ TargetRows::TargetRows(std::string file, const console::CsvHead& head, const Tar
     if (!any_law && l != defaults_.law) continue;
     std::size_t i = 0;
     for (const Parameter& p : l.parameters()) {
-      const std::string unit = p.unit(), column = std::string(p.name) + (unit.empty() ? "" : " [" + unit + "]");
+      const std::string unit = p.unit();
+      const std::string column = unit.empty() ? std::string(p.name) : fmt::format("{} [{}]", p.name, unit);
       const auto same = std::find(parameters_.begin(), parameters_.end(), column);
       place_[l.index()][i++] = static_cast<std::size_t>(same - parameters_.begin());
       if (same == parameters_.end()) parameters_.push_back(column);
@@ -46,9 +49,7 @@ TargetRows::TargetRows(std::string file, const console::CsvHead& head, const Tar
 }
 
 std::string TargetRows::header() const {
-  std::string line = "tcol [s],en,velocity [m/s],mass_eff [kg],law,end,status";
-  for (const auto& name : parameters_) line += "," + name;
-  return line + "\n";
+  return fmt::format("tcol [s],en,velocity [m/s],mass_eff [kg],law,end,status,{}\n", fmt::join(parameters_, ","));
 }
 
 double TargetRows::number(Row& row, Field field, std::optional<double> otherwise) const {
@@ -70,7 +71,8 @@ void TargetRows::read(Row& row) const {
   r.end = row.text[end].empty() ? defaults_.end : end_named("end", row.text[end]);
   r.stiffness = defaults_.stiffness;
   if (!row.text[stiffness].empty()) r.stiffness = number(row, stiffness, std::nullopt);
-  if (!r.law.ends().offer(r.end)) throw BadInput("end", text(r.end), "force with the law " + std::string(r.law.name()));
+  if (!r.law.ends().offer(r.end))
+    throw BadInput("end", text(r.end), fmt::format("force with the law {}", r.law.name()));
 }
 
 void TargetRows::write(std::string& out, const Row& row, std::string_view status, const AnyLaw* found) const {
@@ -123,15 +125,15 @@ Answers TargetRows::answer(const console::LineBlocks::Block& block) const {
         write(answers.text, row, "calibrated", found);
         continue;
       }
-      failure = "infeasible: " + explained(std::get<Infeasible>(answer));
+      failure = fmt::format("infeasible: {}", explained(std::get<Infeasible>(answer)));
     } catch (const std::exception& error) {
       const bool bad = console::exit_code(error) == console::Exit::bad_input;
-      failure = (bad ? "bad input: " : "failed: ") + std::string(error.what());
+      failure = fmt::format("{}: {}", bad ? "bad input" : "failed", error.what());
     }
     write(answers.text, row, failure, nullptr);
     if (++answers.failed <= most_complaints)
-      answers.complaints.push_back(file_ + ":" + std::to_string(line_number) + ": " +
-                                   failure.substr(failure.find(": ") + 2));
+      answers.complaints.push_back(
+          fmt::format("{}:{}: {}", file_, line_number, failure.substr(failure.find(": ") + 2)));
   }
   return answers;
 }

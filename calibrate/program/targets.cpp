@@ -5,6 +5,8 @@
 #include <console/output.hpp>
 #include <console/progress.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -51,7 +53,7 @@ class Complaints {
   }
   std::size_t finish() const {
     if (failed_ > said_)
-      console::complain("calibrate", std::to_string(failed_ - said_) + " more rows failed; see the column status");
+      console::complain("calibrate", fmt::format("{} more rows failed; see the column status", failed_ - said_));
     return failed_;
   }
 
@@ -81,7 +83,8 @@ console::Exit run_targets(const Options& options) {
   std::vector<LineBlocks::Block> blocks(1);
   const auto head = console::take_csv_head(source, blocks[0]);
   if (!head)
-    throw BadInput(options.targets + ":1: header missing: must be a row of the columns tcol and en, and others");
+    throw BadInput(
+        fmt::format("{}:1: header missing: must be a row of the columns tcol and en, and others", options.targets));
   const DirectCalibrator calibrator;
   const TargetRows rows(options.targets, *head, defaults, calibrator);
   console::Output output(options.output.file);

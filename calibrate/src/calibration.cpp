@@ -3,17 +3,18 @@
 
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/support/require.hpp>
+#include <ricochet/support/text.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 namespace ricochet::calibration {
 namespace {
 
 using support::require;
+using support::significant;
 
 void require_ordinary(const char* name, double value) {
   require(value >= least_scale && value <= greatest_scale, name, value, range_of_scales);
@@ -23,9 +24,8 @@ void require_settings(const Settings& settings) {
   require(settings.tolerance >= 1e-11 && settings.tolerance <= 0.1, "tolerance", settings.tolerance, "in [1e-11, 0.1]");
   const auto& known = algorithms();
   if (std::find(known.begin(), known.end(), settings.algorithm) == known.end()) {
-    std::string list;
-    for (const auto& name : known) list += (list.empty() ? "" : ", ") + name;
-    throw std::invalid_argument("algorithm = " + settings.algorithm + ": must be one of " + list);
+    throw std::invalid_argument(
+        fmt::format("algorithm = {}: must be one of {}", settings.algorithm, fmt::join(known, ", ")));
   }
 }
 
@@ -101,16 +101,8 @@ bool hits(const Solution& found, const Request& request, double tolerance) {
   return miss(collide(found.law, {1, 1}, {request.end}), 1, request.target.en) <= tolerance;
 }
 
-/// "1.2e-08"
-std::string two_digits(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::setprecision(2) << value;
-  return text.str();
-}
-
 std::string called(const Request& request) {
-  return std::string(request.law.name()) + ", ended by " + std::string(text(request.end));
+  return fmt::format("{}, ended by {}", request.law.name(), text(request.end));
 }
 
 /// Runs the answer through the numerical collision, and says so where that cannot confirm it to the tolerance.
@@ -122,13 +114,14 @@ void check(Calibration& out, const Request& request, double tolerance) {
     const auto status = out.achieved.status;
     out.achieved = collide(out.law, impact, {request.end});
     if (status == CollisionStatus::no_separation || !out.achieved.separated())
-      throw NotConverged(called(request) + ": the numerical collision does not part");
+      throw NotConverged(fmt::format("{}: the numerical collision does not part", called(request)));
     out.remarks.push_back("the numerical collision does not resolve so small an en; achieved is by the closed form");
   } else if (const double left = miss(out.achieved, tcol, en); left > std::max(tolerance, bound)) {
-    throw NotConverged(called(request) + ": the numerical collision misses the target by " + two_digits(left));
+    throw NotConverged(
+        fmt::format("{}: the numerical collision misses the target by {}", called(request), significant(left, 2)));
   } else if (left > tolerance) {
-    out.remarks.push_back("confirmed to " + two_digits(left) + " only, within the numerical collision's own error of " +
-                          two_digits(bound));
+    out.remarks.push_back(fmt::format("confirmed to {} only, within the numerical collision's own error of {}",
+                                      significant(left, 2), significant(bound, 2)));
   }
   out.tcol_residual = (out.achieved.tcol - tcol) / tcol;
   out.en_residual = (out.achieved.en - en) / en;
@@ -163,9 +156,9 @@ void require_request(const Request& request) {
   require_ordinary("mass_eff", impact.mass_eff);
   if (request.stiffness) require_ordinary("stiffness", *request.stiffness);
   if (!request.law.ends().offer(request.end))
-    throw std::invalid_argument("end = " + std::string(text(request.end)) + ": must be " +
-                                (request.end == ContactEnd::force ? "overlap" : "force") + " for the law " +
-                                std::string(request.law.name()));
+    throw std::invalid_argument(fmt::format("end = {}: must be {} for the law {}", text(request.end),
+                                            request.end == ContactEnd::force ? "overlap" : "force",
+                                            request.law.name()));
 }
 
 std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance) {
@@ -197,8 +190,8 @@ Outcome calibrate(const Request& request, const Settings& settings) {
   out.tcol_estimate = estimate(out.law, request.target.impact, request.end);
   if (!hit)
     out.remarks.push_back(settings.method == Method::nlopt
-                              ? found.algorithm + " missed the tolerance; the direct solution is answered"
-                              : "the cross-check by " + found.algorithm + " missed the tolerance");
+                              ? fmt::format("{} missed the tolerance; the direct solution is answered", found.algorithm)
+                              : fmt::format("the cross-check by {} missed the tolerance", found.algorithm));
   check(out, request, settings.tolerance);
   return out;
 }

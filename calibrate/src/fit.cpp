@@ -3,6 +3,7 @@
 
 #include <ricochet/support/require.hpp>
 
+#include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 #include <nlopt.hpp>
 
@@ -143,10 +144,9 @@ MatrixXd slope_of(const FitModel& model, const VectorXd& u) {
 
 /// Throws where these parameters, as many as are named, cannot be told from the data.
 [[noreturn]] void cannot_tell(const std::vector<std::string>& names) {
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : " and ") + name;
-  throw NotConverged(names.size() == 1 ? list + " has no effect on these data, which cannot tell it"
-                                       : "these data cannot tell " + list + " apart");
+  if (names.size() == 1)
+    throw NotConverged(fmt::format("{} has no effect on these data, which cannot tell it", names.front()));
+  throw NotConverged(fmt::format("these data cannot tell {} apart", fmt::join(names, " and ")));
 }
 
 /// For each unknown the parameter that follows it most, by which it is called.
@@ -213,7 +213,7 @@ void judge(Fit& fit, const VectorXd& residuals) {
 }  // namespace
 
 std::string fit_name(const FitRequest& request) {
-  return std::string(request.law.name()) + (request.alpha_of_speed ? ", alpha(v)" : "");
+  return fmt::format("{}{}", request.law.name(), request.alpha_of_speed ? ", alpha(v)" : "");
 }
 
 Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data) {

@@ -2,6 +2,8 @@
 
 #include <ricochet/support/require.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -53,10 +55,10 @@ void require_fit(const FitRequest& request, const std::vector<Measurement>& data
   using support::require;
   support::require_positive("mass_eff", request.mass_eff);
   if (!request.law.ends().offer(request.end))
-    throw std::invalid_argument("end = " + std::string(text(request.end)) + ": must be force for the law " +
-                                std::string(request.law.name()));
+    throw std::invalid_argument(
+        fmt::format("end = {}: must be force for the law {}", text(request.end), request.law.name()));
   if (request.alpha_of_speed && request.law != kind_of<Fractional>)
-    throw std::invalid_argument("alpha_of_speed = true: must be false for the law " + std::string(request.law.name()));
+    throw std::invalid_argument(fmt::format("alpha_of_speed = true: must be false for the law {}", request.law.name()));
   require(!data.empty(), "measurements", 0, "at least 1");
   for (const Measurement& m : data) {
     require_scale("velocity", m.velocity);
@@ -76,9 +78,8 @@ void require_fit(const FitRequest& request, const std::vector<Measurement>& data
 void require_observations(const FitRequest& request, const std::vector<Measurement>& data, Index unknowns) {
   const std::size_t observations = observations_in(data), parameters = static_cast<std::size_t>(unknowns);
   if (observations <= parameters)
-    throw std::invalid_argument("observations = " + std::to_string(observations) +
-                                ": must be more than the parameters of " + fit_name(request) + ", " +
-                                std::to_string(parameters));
+    throw std::invalid_argument(fmt::format("observations = {}: must be more than the parameters of {}, {}",
+                                            observations, fit_name(request), parameters));
 }
 
 std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>& at_the_edge,
@@ -99,11 +100,12 @@ std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>
   else if (fit.errors_known && fit.probability < 1e-3)
     said.push_back("misfit: a chi2 this large comes by chance less than once in a thousand");
   for (const std::string& name : at_the_edge)
-    said.push_back(name + " has run to the end of its range: the data only tell that it is there or beyond");
+    said.push_back(
+        fmt::format("{} has run to the end of its range: the data only tell that it is there or beyond", name));
   for (const Estimate& p : fit.parameters)
     if (!(p.error < std::abs(p.value)) &&
         std::find(at_the_edge.begin(), at_the_edge.end(), p.name) == at_the_edge.end())
-      said.push_back(p.name + " is not determined: its standard error is as large as itself");
+      said.push_back(fmt::format("{} is not determined: its standard error is as large as itself", p.name));
   return said;
 }
 

@@ -4,6 +4,8 @@
 #include <console/exit.hpp>
 #include <console/output.hpp>
 
+#include <fmt/format.h>
+
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -24,7 +26,7 @@ std::string reason(int error) { return std::generic_category().message(error); }
 class MemoryFile {
  public:
   explicit MemoryFile(const std::string& program) : file_(::memfd_create("ricochet", MFD_CLOEXEC)) {
-    if (file_ < 0) throw Failed(program + ": no memory file: " + reason(errno));
+    if (file_ < 0) throw Failed(fmt::format("{}: no memory file: {}", program, reason(errno)));
   }
   ~MemoryFile() { ::close(file_); }
   MemoryFile(const MemoryFile&) = delete;
@@ -130,7 +132,7 @@ Ran run(const Command& command) {
     if (error == 0) set_passing_child(child);
   }
   if (error == ENOENT) return {false, 0, {}, {}};
-  if (error != 0) throw Failed(program + ": cannot start: " + reason(error));
+  if (error != 0) throw Failed(fmt::format("{}: cannot start: {}", program, reason(error)));
   const int status = waited(child);
   set_passing_child(0);
   return {true, status, out.content(), err.content()};

@@ -1,6 +1,7 @@
 #include "command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -16,13 +17,13 @@ const CLI::App& chosen(const CLI::App& app) {
 
 std::string spelled(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
-  return parent ? spelled(*parent) + " " + command.get_name() : command.get_name();
+  return parent ? fmt::format("{} {}", spelled(*parent), command.get_name()) : command.get_name();
 }
 
 std::string commands_of(const CLI::App& app) {
-  std::string list;
-  for (const CLI::App* command : app.get_subcommands({})) list += (list.empty() ? "" : ", ") + command->get_name();
-  return list;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// "--nc: must be …" needs the flag that CLI11's text begins with.
@@ -32,23 +33,25 @@ std::string about_extras(const CLI::App& app) {
   const auto extras = app.remaining(true);
   const std::string first = extras.empty() ? "an argument" : extras.front();
   if (!app.get_subcommands({}).empty() && app.get_subcommands().empty())
-    return (first.starts_with('-') ? "option = " : "command = ") + first + ": must be " +
-           (first.starts_with('-') ? "given after a command: " : "one of ") + commands_of(app);
-  return first + ": not known: must be an option that `" + spelled(chosen(app)) + " --help` lists";
+    return first.starts_with('-')
+               ? fmt::format("option = {}: must be given after a command: {}", first, commands_of(app))
+               : fmt::format("command = {}: must be one of {}", first, commands_of(app));
+  return fmt::format("{}: not known: must be an option that `{} --help` lists", first, spelled(chosen(app)));
 }
 
 std::string about_missing(const CLI::App& app, const std::string& text) {
   const std::string name = before(text, " is required");
-  if (name != "A subcommand") return name + ": missing: must be given; see `" + spelled(chosen(app)) + " --help`";
+  if (name != "A subcommand")
+    return fmt::format("{}: missing: must be given; see `{} --help`", name, spelled(chosen(app)));
   if (!app.remaining(true).empty()) return about_extras(app);
-  return "command: missing: must be one of " + commands_of(app);
+  return fmt::format("command: missing: must be one of {}", commands_of(app));
 }
 
 std::string about_count(const std::string& text) {
   const std::string flag = before(text, ": ");
   if (text.find("At Most") != std::string::npos)
-    return flag + ": given " + text.substr(text.rfind(' ') + 1) + " times: must be given once";
-  return flag + ": value missing: must be followed by one";
+    return fmt::format("{}: given {} times: must be given once", flag, text.substr(text.rfind(' ') + 1));
+  return fmt::format("{}: value missing: must be followed by one", flag);
 }
 
 std::string about_conversion(const CLI::App& app, const std::string& text) {
@@ -57,7 +60,8 @@ std::string about_conversion(const CLI::App& app, const std::string& text) {
   const std::string given = text.substr(mark.size());
   const CLI::Option* option = chosen(app).get_option_no_throw(before(given, " = "));
   const std::string type = option ? option->get_type_name() : "";
-  return given + ": must be " + (type == "N" || type == "INT" || type == "UINT" ? "a whole number" : "a number");
+  const bool whole = type == "N" || type == "INT" || type == "UINT";
+  return fmt::format("{}: must be {}", given, whole ? "a whole number" : "a number");
 }
 
 }  // namespace

@@ -71,9 +71,9 @@ std::string spelled(const CsvColumn& column) {
 }
 
 std::string list_of(std::span<const CsvColumn> columns) {
-  std::string list;
-  for (const CsvColumn& column : columns) list += (list.empty() ? "" : ", ") + spelled(column);
-  return list;
+  std::vector<std::string> all;
+  for (const CsvColumn& column : columns) all.push_back(spelled(column));
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 struct Heading {

@@ -2,6 +2,8 @@
 
 #include <console/exit.hpp>
 
+#include <fmt/format.h>
+
 #include <unistd.h>
 
 #include <cerrno>
@@ -26,7 +28,7 @@ class Descriptor {
 [[noreturn]] inline void throw_cannot_create(const std::string& path, int error) {
   if (error == ENOSPC || error == EDQUOT || error == EIO || error == EMFILE || error == ENFILE || error == ENOMEM)
     throw CannotWrite(path, error);
-  throw BadInput(path + ": cannot write: " + std::generic_category().message(error));
+  throw BadInput(fmt::format("{}: cannot write: {}", path, std::generic_category().message(error)));
 }
 
 }  // namespace ricochet::console

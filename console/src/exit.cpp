@@ -1,5 +1,7 @@
 #include <console/exit.hpp>
 
+#include <fmt/format.h>
+
 #include <unistd.h>
 
 #include <string>
@@ -8,10 +10,10 @@
 namespace ricochet::console {
 
 BadInput::BadInput(std::string_view flag, std::string_view value, std::string_view accepted)
-    : std::runtime_error(std::string(flag) + " = " + std::string(value) + ": must be " + std::string(accepted)) {}
+    : std::runtime_error(fmt::format("{} = {}: must be {}", flag, value, accepted)) {}
 
 CannotWrite::CannotWrite(std::string_view path, int error)
-    : Failed(std::string(path) + ": cannot write: " + std::generic_category().message(error)) {}
+    : Failed(fmt::format("{}: cannot write: {}", path, std::generic_category().message(error))) {}
 
 Exit exit_code(const std::exception& error) {
   if (dynamic_cast<const BadInput*>(&error) || dynamic_cast<const std::invalid_argument*>(&error))
@@ -21,7 +23,7 @@ Exit exit_code(const std::exception& error) {
 }
 
 void complain(std::string_view program, std::string_view message) {
-  std::string line = std::string(program) + ": ";
+  std::string line = fmt::format("{}: ", program);
   while (!message.empty() && message.back() == '\n') message.remove_suffix(1);
   for (const char c : message)
     if (c == '\n')

@@ -2,6 +2,8 @@
 
 #include <console/html.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace ricochet::console {
@@ -28,11 +30,13 @@ std::string as_address(const std::string& svg) {
 }
 
 std::string linked(const std::vector<HtmlLink>& links) {
-  std::string html;
+  std::vector<std::string> all;
   for (const HtmlLink& link : links)
-    html += (html.empty() ? "" : " · ") + ("<a href=\"" + escaped(link.address) + "\">" + escaped(link.text) + "</a>");
-  return html;
+    all.push_back(fmt::format(R"(<a href="{}">{}</a>)", escaped(link.address), escaped(link.text)));
+  return fmt::format("{}", fmt::join(all, " · "));
 }
+
+std::string under(std::string_view html) { return fmt::format("<p class=\"under\">{}</p>\n", html); }
 
 bool is_wide(const Table& table, std::size_t column) {
   return std::any_of(table.rows().begin(), table.rows().end(), [&](const auto& row) {
@@ -50,8 +54,9 @@ std::string head(const Table& table, const std::vector<std::string>& classes) {
   std::string html = "<thead><tr>";
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const Column& column = table.columns()[i];
-    html += "<th scope=\"col\"" + classes[i] + ">" + escaped(column.name) +
-            (column.unit.empty() ? "" : "<span class=\"unit\">" + escaped(column.unit) + "</span>") + "</th>";
+    const std::string unit =
+        column.unit.empty() ? "" : fmt::format(R"(<span class="unit">{}</span>)", escaped(column.unit));
+    html += fmt::format(R"(<th scope="col"{}>{}{}</th>)", classes[i], escaped(column.name), unit);
   }
   return html + "</tr></thead>\n";
 }
@@ -60,11 +65,11 @@ std::string one_row(const Table& table, std::size_t row, const std::vector<std::
                     const TableView& view) {
   std::string html = "<tr>";
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    const std::string tag = i == 0 ? "th scope=\"row\"" : "td";
     const bool raw = i == 0 && !view.raw_first.empty();
-    html += "<" + tag + classes[i] + ">" +
-            (raw ? view.raw_first[row] : escaped(shown(table.rows()[row][i], table.columns()[i].notation))) +
-            (i == 0 ? "</th>" : "</td>");
+    const std::string cell =
+        raw ? view.raw_first[row] : escaped(shown(table.rows()[row][i], table.columns()[i].notation));
+    html += i == 0 ? fmt::format(R"(<th scope="row"{}>{}</th>)", classes[i], cell)
+                   : fmt::format("<td{}>{}</td>", classes[i], cell);
   }
   return html + "</tr>\n";
 }
@@ -72,11 +77,14 @@ std::string one_row(const Table& table, std::size_t row, const std::vector<std::
 std::string rows_of(const Table& table, const TableView& view, std::size_t first, std::size_t last,
                     const std::vector<std::string>& classes) {
   const bool part = first > 0;
-  const std::string id = view.id + (part ? "-more" : "");
-  std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-labelledby=\"" + id +
-                     "\">\n<table><caption id=\"" + id + "\">" + escaped(table.caption()) +
-                     (part ? ", rows " + std::to_string(first + 1) + " to " + std::to_string(last) : "") +
-                     "</caption>\n" + head(table, classes) + "<tbody>\n";
+  std::string html =
+      fmt::format(R"(<div class="scroll" tabindex="0" role="region" aria-labelledby="{id}">
+<table><caption id="{id}">{caption}{rows}</caption>
+{head}<tbody>
+)",
+                  fmt::arg("id", view.id + (part ? "-more" : "")), fmt::arg("caption", escaped(table.caption())),
+                  fmt::arg("rows", part ? fmt::format(", rows {} to {}", first + 1, last) : ""),
+                  fmt::arg("head", head(table, classes)));
   for (std::size_t r = first; r < last; ++r) html += one_row(table, r, classes, view);
   return html + "</tbody></table></div>\n";
 }
@@ -110,7 +118,7 @@ std::string slug(std::string_view text) {
 }
 
 std::string html_status(bool passed) {
-  return passed ? "<span class=\"status pass\">passed</span>" : "<span class=\"status fail\">failed</span>";
+  return passed ? R"(<span class="status pass">passed</span>)" : R"(<span class="status fail">failed</span>)";
 }
 
 std::string html_table(const Table& table, const TableView& view) {
@@ -121,42 +129,57 @@ std::string html_table(const Table& table, const TableView& view) {
   const std::size_t first = all <= view.shown + view.shown / 4 ? all : view.shown;
   std::string html = rows_of(table, view, 0, first, classes);
   if (first < all)
-    html += "<details><summary>" + std::to_string(all - first) + " more rows</summary>\n" +
-            rows_of(table, view, first, all, classes) + "</details>\n";
+    html += fmt::format("<details><summary>{} more rows</summary>\n{}</details>\n", all - first,
+                        rows_of(table, view, first, all, classes));
   if (all < table.rows().size())
-    html +=
-        "<p class=\"under\">" + std::to_string(table.rows().size() - all) + " further rows are in the CSV file.</p>\n";
-  for (const std::string& note : table.notes()) html += "<p class=\"under\">" + escaped(note) + "</p>\n";
-  if (!view.links.empty()) html += "<p class=\"under\">" + linked(view.links) + "</p>\n";
+    html += under(fmt::format("{} further rows are in the CSV file.", table.rows().size() - all));
+  for (const std::string& note : table.notes()) html += under(escaped(note));
+  if (!view.links.empty()) html += under(linked(view.links));
   return html;
 }
 
 std::string html_figure(const Figure& figure, const std::string& svg, const std::vector<HtmlLink>& links) {
   const std::string finding = figure.finding.empty() ? figure.caption : figure.finding;
-  return "<figure><div class=\"picture\" tabindex=\"0\" role=\"group\" aria-label=\"" +
-         escaped("Picture " + figure.name) + "\"><img src=\"" + as_address(svg) + "\" width=\"" +
-         std::to_string(figure.width) + "\" height=\"" + std::to_string(figure.height) + "\" alt=\"" +
-         escaped(finding) + "\"></div>\n<figcaption>" + escaped(figure.caption) +
-         (figure.finding.empty() ? "" : " " + escaped(figure.finding)) +
-         (links.empty() ? "" : "<br><span class=\"soft\">" + linked(links) + "</span>") + "</figcaption></figure>\n";
+  const std::string source = links.empty() ? "" : fmt::format(R"(<br><span class="soft">{}</span>)", linked(links));
+  return fmt::format(
+      R"(<figure><div class="picture" tabindex="0" role="group" aria-label="{name}"><img src="{address}")"
+      R"( width="{width}" height="{height}" alt="{finding}"></div>
+<figcaption>{caption}{said}{source}</figcaption></figure>
+)",
+      fmt::arg("name", escaped(fmt::format("Picture {}", figure.name))), fmt::arg("address", as_address(svg)),
+      fmt::arg("width", figure.width), fmt::arg("height", figure.height), fmt::arg("finding", escaped(finding)),
+      fmt::arg("caption", escaped(figure.caption)),
+      fmt::arg("said", figure.finding.empty() ? "" : fmt::format(" {}", escaped(figure.finding))),
+      fmt::arg("source", source));
 }
 
 std::string html_code(std::string_view id, std::string_view label, std::string_view text) {
-  const std::string name(id), said = escaped(label);
-  return "<div class=\"code\"><div class=\"bar\"><span>" + said +
-         "</span><span><span class=\"soft\" role=\"status\"></span> <button type=\"button\" hidden data-copy=\"" +
-         name + "\" aria-label=\"Copy " + said +
-         "\">Copy</button></span></div><pre tabindex=\"0\" role=\"region\" aria-label=\"" + said + "\"><code id=\"" +
-         name + "\">" + escaped(text) + "</code></pre></div>\n";
+  return fmt::format(
+      R"(<div class="code"><div class="bar"><span>{label}</span><span><span class="soft" role="status"></span>)"
+      R"( <button type="button" hidden data-copy="{id}" aria-label="Copy {label}">Copy</button></span></div>)"
+      R"(<pre tabindex="0" role="region" aria-label="{label}"><code id="{id}">{text}</code></pre></div>
+)",
+      fmt::arg("label", escaped(label)), fmt::arg("id", id), fmt::arg("text", escaped(text)));
 }
 
 std::string html_page(std::string_view title, std::string_view body) {
-  return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta name=\"generator\" content=\"Ricochet\">\n<link rel=\"icon\" href=\"data:,\">\n<title>" +
-         escaped(title) + "</title>\n<style>" + page_style +
-         "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n" +
-         std::string(body) + "<script>" + page_script + "</script>\n</body>\n</html>\n";
+  return fmt::format(R"(<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="generator" content="Ricochet">
+<link rel="icon" href="data:,">
+<title>{}</title>
+<style>{}</style>
+</head>
+<body>
+<a class="skip" href="#content">Skip to the content</a>
+{}<script>{}</script>
+</body>
+</html>
+)",
+                     escaped(title), page_style, body, page_script);
 }
 
 }  // namespace ricochet::console

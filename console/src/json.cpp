@@ -1,5 +1,7 @@
 #include <console/json.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -9,11 +11,11 @@ namespace {
 
 void require_finite(const Json& json, const std::string& path) {
   if (json.is_number_float() && !std::isfinite(json.get<double>()))
-    throw std::logic_error("JSON " + path + " is not a finite number");
+    throw std::logic_error(fmt::format("JSON {} is not a finite number", path));
   if (json.is_object())
-    for (const auto& [key, value] : json.items()) require_finite(value, path + "/" + key);
+    for (const auto& [key, value] : json.items()) require_finite(value, fmt::format("{}/{}", path, key));
   if (json.is_array())
-    for (std::size_t i = 0; i < json.size(); ++i) require_finite(json[i], path + "/" + std::to_string(i));
+    for (std::size_t i = 0; i < json.size(); ++i) require_finite(json[i], fmt::format("{}/{}", path, i));
 }
 
 struct AsJson {

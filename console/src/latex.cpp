@@ -1,6 +1,9 @@
 #include <console/table.hpp>
 
+#include <fmt/format.h>
+
 #include <string>
+#include <vector>
 
 namespace ricochet::console {
 
@@ -49,32 +52,40 @@ std::string escaped_for_latex(const std::string& text) {
   return escaped;
 }
 
+std::string line(const std::vector<std::string>& cells) { return fmt::format("{} \\\\\n", fmt::join(cells, " & ")); }
+
 }  // namespace
 
 std::string Table::latex() const {
-  std::string kinds, head, units;
+  std::string kinds;
+  std::vector<std::string> head, units;
   bool any_unit = false;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
     kinds += right_aligned(i) ? 'r' : 'l';
-    head += (i ? " & " : "") + escaped_for_latex(column.name);
-    units += (i ? " & " : "") + (column.unit.empty() ? std::string() : "[" + escaped_for_latex(column.unit) + "]");
+    head.push_back(escaped_for_latex(column.name));
+    units.push_back(column.unit.empty() ? "" : fmt::format("[{}]", escaped_for_latex(column.unit)));
     any_unit |= !column.unit.empty();
   }
-  std::string out = "\\begin{table}\n\\centering\n";
-  if (!caption_.empty()) out += "\\caption{" + escaped_for_latex(caption_) + "}\n";
-  out += "\\begin{tabular}{" + kinds + "}\n\\toprule\n" + head + " \\\\\n";
-  if (any_unit) out += units + " \\\\\n";
-  out += "\\midrule\n";
+  std::string out = fmt::format(R"(\begin{{table}}
+\centering
+{}\begin{{tabular}}{{{}}}
+\toprule
+{}{}\midrule
+)",
+                                caption_.empty() ? "" : fmt::format("\\caption{{{}}}\n", escaped_for_latex(caption_)),
+                                kinds, line(head), any_unit ? line(units) : "");
   for (const auto& row : rows_) {
     // A row that begins with "[" would be taken for an argument of \\.
     out += row.empty() || !shown(row[0], columns_[0].notation).starts_with('[') ? "" : "{}";
+    std::vector<std::string> cells;
     for (std::size_t i = 0; i < row.size(); ++i)
-      out += (i ? " & " : "") + escaped_for_latex(shown(row[i], columns_[i].notation));
-    out += " \\\\\n";
+      cells.push_back(escaped_for_latex(shown(row[i], columns_[i].notation)));
+    out += line(cells);
   }
   out += "\\bottomrule\n\\end{tabular}\n";
-  for (const std::string& note : notes_) out += "\\par\\smallskip\\footnotesize " + escaped_for_latex(note) + "\n";
+  for (const std::string& note : notes_)
+    out += fmt::format("\\par\\smallskip\\footnotesize {}\n", escaped_for_latex(note));
   return out + "\\end{table}\n";
 }
 

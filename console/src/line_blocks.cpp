@@ -30,7 +30,7 @@ LineBlocks::LineBlocks(std::string path, std::size_t block_size)
   struct stat about {};
   if (::fstat(file_, &about) == 0 && S_ISDIR(about.st_mode)) {
     ::close(file_);
-    throw BadInput(path_ + ": cannot be read: is a directory");
+    throw BadInput(fmt::format("{}: cannot be read: is a directory", path_));
   }
   if (S_ISREG(about.st_mode)) size_ = static_cast<std::size_t>(about.st_size);
 }

@@ -4,6 +4,8 @@
 #include <console/output.hpp>
 #include <console/scratch.hpp>
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -78,9 +80,8 @@ void AtomicFile::open_temporary(bool exists, unsigned mode) {
   const std::string name = slash == std::string::npos ? target_ : target_.substr(slash + 1);
   const SignalsHeld held;
   for (int attempt = 0; file_ < 0; ++attempt) {
-    const std::string suffix = "." + std::to_string(::getpid()) + "." + std::to_string(attempt) + ".part";
     // A name is at most 255 bytes long; the temporary one keeps as much of the target's as fits.
-    temporary_ = folder_of(target_) + "." + name.substr(0, 200) + suffix;
+    temporary_ = fmt::format("{}.{}.{}.{}.part", folder_of(target_), name.substr(0, 200), ::getpid(), attempt);
     file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (file_ < 0 && (errno != EEXIST || attempt > 1000)) throw_cannot_create(path_, errno);
   }
@@ -109,7 +110,7 @@ void AtomicFile::commit() {
 OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
   std::error_code error;
   made_ = std::filesystem::create_directories(path_, error);
-  if (error) throw BadInput(path_ + ": cannot make the folder: " + error.message());
+  if (error) throw BadInput(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
   staging_ = std::make_unique<ScratchFolder>(path_);
 }
 

@@ -6,6 +6,8 @@
 #include <console/plot.hpp>
 #include <console/scratch.hpp>
 
+#include <fmt/format.h>
+
 #include <sys/wait.h>
 
 #include <cstring>
@@ -21,29 +23,35 @@ Ran gnuplot(const std::string& script, const std::string& folder) {
 }
 
 /// What all figures share. Grid and axes stay behind the data; line types are the palette.
-constexpr const char* house_style =
-    "set encoding utf8\nset datafile separator comma\nset border 3 lc rgb 'black' lw 1\nset tics nomirror out scale "
-    "0.5\n"
-    "set grid back lt 1 lc rgb '#dddddd' lw 0.7, lt 1 lc rgb '#dddddd' lw 0.7\nset key reverse Left spacing 1.2 "
-    "samplen 2\n"
-    "set linetype 1 lc rgb '#0072b2' lw 2 pt 7\nset linetype 2 lc rgb '#d55e00' lw 2 pt 5\n"
-    "set linetype 3 lc rgb '#009e73' lw 2 pt 9\nset linetype 4 lc rgb '#e69f00' lw 2 pt 13\n"
-    "set linetype 5 lc rgb '#cc79a7' lw 2 pt 11\nset linetype 6 lc rgb '#56b4e9' lw 2 pt 6\n"
-    "set linetype 7 lc rgb '#767676' lw 2 pt 4\nset linetype cycle 7\n";
+constexpr const char* house_style = R"(set encoding utf8
+set datafile separator comma
+set border 3 lc rgb 'black' lw 1
+set tics nomirror out scale 0.5
+set grid back lt 1 lc rgb '#dddddd' lw 0.7, lt 1 lc rgb '#dddddd' lw 0.7
+set key reverse Left spacing 1.2 samplen 2
+set linetype 1 lc rgb '#0072b2' lw 2 pt 7
+set linetype 2 lc rgb '#d55e00' lw 2 pt 5
+set linetype 3 lc rgb '#009e73' lw 2 pt 9
+set linetype 4 lc rgb '#e69f00' lw 2 pt 13
+set linetype 5 lc rgb '#cc79a7' lw 2 pt 11
+set linetype 6 lc rgb '#56b4e9' lw 2 pt 6
+set linetype 7 lc rgb '#767676' lw 2 pt 4
+set linetype cycle 7
+)";
 
 std::string why(const Ran& failed) {
   if (!failed.err.empty()) return failed.err;
-  if (WIFSIGNALED(failed.status)) return std::string("ended by a signal: ") + ::sigdescr_np(WTERMSIG(failed.status));
+  if (WIFSIGNALED(failed.status)) return fmt::format("ended by a signal: {}", ::sigdescr_np(WTERMSIG(failed.status)));
   return "nothing drawn";
 }
 
-std::string picture(const Figure& figure, const std::string& terminal, const std::string& folder) {
-  const std::string size = std::to_string(figure.width) + "," + std::to_string(figure.height);
-  const Ran ran =
-      gnuplot("set terminal " + terminal + " size " + size + "\n" + house_style + figure.script + "\n", folder);
+std::string picture(const Figure& figure, std::string_view terminal, const std::string& folder) {
+  const Ran ran = gnuplot(fmt::format("set terminal {} size {},{}\n{}{}\n", terminal, figure.width, figure.height,
+                                      house_style, figure.script),
+                          folder);
   // gnuplot ends with 0 on "warning: Skipping data file with no valid points": whatever it says is an error here.
   if (ran.status != 0 || !ran.err.empty() || ran.out.empty())
-    throw Failed("gnuplot, figure " + figure.name + ": " + why(ran));
+    throw Failed(fmt::format("gnuplot, figure {}: {}", figure.name, why(ran)));
   return ran.out;
 }
 

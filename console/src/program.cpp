@@ -7,6 +7,7 @@
 #include <ricochet/version.hpp>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -56,7 +57,7 @@ Exit parse_and_run(CLI::App& app, int argc, const char* const* argv, const std::
     write_stdout(app.help());
     return Exit::done;
   } catch (const CLI::CallForVersion& version) {
-    write_stdout(std::string(version.what()) + "\n");
+    write_stdout(fmt::format("{}\n", version.what()));
     return Exit::done;
   } catch (const CLI::ParseError& error) {
     throw BadInput(told(app, error));
@@ -72,7 +73,7 @@ CLI::Option* add_any_number(CLI::App& app, const std::string& name, Target& targ
   const auto read = [&target, name](const std::string& text) {
     const auto value = parse_number(text);
     // CLI11 turns a thrown ParseError into its own way out, which run_program reports.
-    if (!value) throw CLI::ValidationError(name + " = " + text + ": must be a finite number");
+    if (!value) throw CLI::ValidationError(fmt::format("{} = {}: must be a finite number", name, text));
     target = *value;
   };
   return app.add_option_function<std::string>(name, read, description)->type_name("NUMBER");
@@ -86,7 +87,7 @@ void add_output_options(CLI::App& app, OutputOptions& options, bool reports) {
     const auto found = formats.find(name);
     const bool known = found != formats.end();
     if (!known || (!reports && (found->second == Format::latex || found->second == Format::junit)))
-      throw CLI::ValidationError("--format = " + name + ": must be table, " + accepted);
+      throw CLI::ValidationError(fmt::format("--format = {}: must be table, {}", name, accepted));
     options.format = found->second;
   };
   app.add_option_function<std::string>("--format", read, "table (default), " + accepted)->type_name("FORMAT");
@@ -94,7 +95,8 @@ void add_output_options(CLI::App& app, OutputOptions& options, bool reports) {
 }
 
 void add_version(CLI::App& app) {
-  app.set_version_flag("--version", app.get_name() + " " + ricochet::version, "print the version and exit");
+  app.set_version_flag("--version", fmt::format("{} {}", app.get_name(), ricochet::version),
+                       "print the version and exit");
 }
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const std::string& description) {

@@ -1,6 +1,8 @@
 #include <console/number.hpp>
 #include <console/progress.hpp>
 
+#include <fmt/format.h>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -44,13 +46,13 @@ void Progress::advance(std::uint64_t units) {
 void Progress::show(std::uint64_t done, Clock::duration elapsed) {
   shown_ = true;
   if (total_ == 0 || done == 0) {
-    to_stderr("\r\033[K" + what_ + ": " + std::to_string(done));
+    to_stderr(fmt::format("\r\033[K{}: {}", what_, done));
     return;
   }
   const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
   const double seconds = std::chrono::duration<double>(elapsed).count();
-  to_stderr("\r\033[K" + what_ + ": " + fixed(100 * share, 0) + " %, " + fixed(seconds * (1 - share) / share, 0) +
-            " s left");
+  to_stderr(fmt::format("\r\033[K{}: {} %, {} s left", what_, fixed(100 * share, 0),
+                        fixed(seconds * (1 - share) / share, 0)));
 }
 
 }  // namespace ricochet::console

@@ -2,7 +2,7 @@
 
 #include <console/html.hpp>
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace ricochet::console {
 
@@ -21,7 +21,7 @@ constexpr Pair pairs[] = {{0, 0, 0, "#e4e6ea"},      {0, 114, 178, "#45a3e6"},  
 std::string rule(const std::string& written, const std::string& dark) {
   std::string css;
   for (const char* property : {"stroke", "fill", "color"})
-    css += std::string("[") + property + "=\"" + written + "\"]{" + property + ":" + dark + "}";
+    css += fmt::format(R"([{0}="{1}"]{{{0}:{2}}})", property, written, dark);
   return css;
 }
 
@@ -29,11 +29,8 @@ std::string dark_rules() {
   std::string css = rule("black", "#e4e6ea") + rule("gray", "#a9b0bc") + rule("#ffffff", "#1b1e24") +
                     rule("#FFFFFF", "#1b1e24") + ".gridline{stroke:#363b45}feFlood{flood-color:#1b1e24}";
   for (const Pair& pair : pairs) {
-    char written[24];
-    std::snprintf(written, sizeof written, "rgb(%3d, %3d, %3d)", pair.red, pair.green, pair.blue);
-    css += rule(written, pair.dark);
-    std::snprintf(written, sizeof written, "rgb(%d,%d,%d)", pair.red, pair.green, pair.blue);
-    css += rule(written, pair.dark);
+    css += rule(fmt::format("rgb({:3}, {:3}, {:3})", pair.red, pair.green, pair.blue), pair.dark);
+    css += rule(fmt::format("rgb({},{},{})", pair.red, pair.green, pair.blue), pair.dark);
   }
   return css;
 }
@@ -50,8 +47,9 @@ void replace_between(std::string& text, const std::string& open, const std::stri
 std::string themed(std::string svg, const std::string& title, const std::string& description) {
   replace_between(svg, "<title>", "</title>", escaped(title));
   replace_between(svg, "<desc>", "</desc>", escaped(description));
-  const std::string style = "<style>:root{color-scheme:light dark}@media screen and (prefers-color-scheme:dark){" +
-                            dark_rules() + "}</style>\n";
+  const std::string style = fmt::format(
+      "<style>:root{{color-scheme:light dark}}@media screen and (prefers-color-scheme:dark){{{}}}</style>\n",
+      dark_rules());
   if (const auto at = svg.find("<title>"); at != std::string::npos) svg.insert(at, style);
   return svg;
 }

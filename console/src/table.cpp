@@ -1,6 +1,8 @@
 #include <console/number.hpp>
 #include <console/table.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -24,22 +26,27 @@ struct Shown {
   std::string operator()(std::monostate) const { return "-"; }
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(double value) const { return in_notation(value, notation); }
-  std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(std::int64_t value) const { return fmt::format_int(value).str(); }
   std::string operator()(bool value) const { return value ? "yes" : "no"; }
 };
 
 struct Exact {
   std::string operator()(std::monostate) const { return {}; }
   std::string operator()(double value) const { return shortest(value); }
-  std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(std::int64_t value) const { return fmt::format_int(value).str(); }
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(const std::string& text) const {
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
     std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
     return quoted + '"';
   }
 };
+
+/// "tcol [s]"
+std::string heading(const Column& column) {
+  return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
+}
 
 bool is_right(const Column& column, const std::vector<std::vector<Cell>>& rows, std::size_t index) {
   if (column.align != Align::automatic) return column.align == Align::right;
@@ -86,11 +93,11 @@ Table::Table(std::vector<Column> columns, std::string caption)
 
 Table& Table::row(std::vector<Cell> cells) {
   if (cells.size() != columns_.size())
-    throw std::logic_error("table '" + caption_ + "': a row of " + std::to_string(cells.size()) + " cells for " +
-                           std::to_string(columns_.size()) + " columns");
+    throw std::logic_error(
+        fmt::format("table '{}': a row of {} cells for {} columns", caption_, cells.size(), columns_.size()));
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (const double* value = std::get_if<double>(&cells[i]); value && !std::isfinite(*value))
-      throw std::logic_error("table '" + caption_ + "': " + columns_[i].name + " is not a finite number");
+      throw std::logic_error(fmt::format("table '{}': {} is not a finite number", caption_, columns_[i].name));
   rows_.push_back(std::move(cells));
   return *this;
 }
@@ -107,7 +114,8 @@ std::string Table::text() const {
   for (const Column& column : columns_) lines[0].push_back(column.name);
   if (std::any_of(columns_.begin(), columns_.end(), [](const Column& c) { return !c.unit.empty(); })) {
     lines.emplace_back();
-    for (const Column& column : columns_) lines[1].push_back(column.unit.empty() ? "" : "[" + column.unit + "]");
+    for (const Column& column : columns_)
+      lines[1].push_back(column.unit.empty() ? "" : fmt::format("[{}]", column.unit));
   }
   const std::size_t head = lines.size();
   for (const auto& row : rows_) {
@@ -126,9 +134,8 @@ std::string Table::text() const {
       line += (i ? "  " : "") + padded(lines[l][i], width[i], is_right(columns_[i], rows_, i));
     out += without_trailing_spaces(line) + "\n";
     if (l + 1 != head) continue;
-    std::string rule;
-    for (std::size_t i = 0; i < width.size(); ++i) rule += (i ? "  " : "") + std::string(width[i], '-');
-    out += rule + "\n";
+    for (std::size_t i = 0; i < width.size(); ++i) out += (i ? "  " : "") + std::string(width[i], '-');
+    out += "\n";
   }
   for (const std::string& note : notes_) out += note + "\n";
   return out;
@@ -138,7 +145,7 @@ std::string Table::csv() const {
   std::string out;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
-    out += (i ? "," : "") + Exact{}(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
+    out += (i ? "," : "") + Exact{}(heading(column));
   }
   out += '\n';
   for (const auto& row : rows_) {
@@ -149,23 +156,22 @@ std::string Table::csv() const {
 }
 
 std::string Table::markdown() const {
-  std::string out = caption_.empty() ? "" : "**" + escaped_for_markdown(caption_) + "**\n\n";
+  std::string out = caption_.empty() ? "" : fmt::format("**{}**\n\n", escaped_for_markdown(caption_));
   std::string rule = "|";
   out += "|";
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
-    out +=
-        " " + escaped_for_markdown(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]") + " |";
+    out += fmt::format(" {} |", escaped_for_markdown(heading(column)));
     rule += is_right(column, rows_, i) ? " ---: |" : " --- |";
   }
   out += "\n" + rule + "\n";
   for (const auto& row : rows_) {
     out += "|";
     for (std::size_t i = 0; i < row.size(); ++i)
-      out += " " + escaped_for_markdown(std::visit(Shown{columns_[i].notation}, row[i])) + " |";
+      out += fmt::format(" {} |", escaped_for_markdown(std::visit(Shown{columns_[i].notation}, row[i])));
     out += "\n";
   }
-  for (const std::string& note : notes_) out += "\n" + escaped_for_markdown(note) + "\n";
+  for (const std::string& note : notes_) out += fmt::format("\n{}\n", escaped_for_markdown(note));
   return out;
 }
 
@@ -185,7 +191,7 @@ std::string render_all(const std::vector<Table>& tables, Format format) {
   std::string out;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     if (i) out += "\n";
-    if (i && format == Format::csv) out += "# " + tables[i].caption() + "\n";
+    if (i && format == Format::csv) out += fmt::format("# {}\n", tables[i].caption());
     out += tables[i].render(format);
   }
   return out;

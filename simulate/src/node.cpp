@@ -4,6 +4,8 @@
 
 #include <console/exit.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -16,38 +18,37 @@ using console::BadInput;
 using console::Json;
 
 std::string Node::place() const {
-  return file_ + ":" + line_and_column(*text_, place_of(*text_, path_)) + ": " + (path_.empty() ? "/" : path_);
+  return fmt::format("{}:{}: {}", file_, line_and_column(*text_, place_of(*text_, path_)), path_.empty() ? "/" : path_);
 }
 
 Node Node::child(const std::string& step, const Json& json) const {
   Node child(file_, *text_, json);
-  child.path_ = path_ + "/" + step;
+  child.path_ = fmt::format("{}/{}", path_, step);
   return child;
 }
 
 void Node::reject(std::string_view accepted) const {
   std::string shown = json_->dump();
   if (shown.size() > 60) shown.replace(57, std::string::npos, "...");
-  throw BadInput(place() + " = " + shown + ": must be " + std::string(accepted));
+  throw BadInput(fmt::format("{} = {}: must be {}", place(), shown, accepted));
 }
 
-void Node::complain(std::string_view message) const { throw BadInput(place() + ": " + std::string(message)); }
+void Node::complain(std::string_view message) const { throw BadInput(fmt::format("{}: {}", place(), message)); }
 
 void Node::allow(std::span<const std::string_view> keys) const {
-  std::string accepted;
-  for (std::string_view key : keys) accepted += (accepted.empty() ? "" : ", ") + std::string(key);
-  if (!json_->is_object()) reject("an object with the keys " + accepted);
+  const std::string accepted = fmt::format("{}", fmt::join(keys, ", "));
+  if (!json_->is_object()) reject(fmt::format("an object with the keys {}", accepted));
   for (const auto& [key, value] : json_->items())
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      complain("unknown key \"" + key + "\"; known are " + accepted);
+      complain(fmt::format("unknown key \"{}\"; known are {}", key, accepted));
 }
 
 Node Node::at(const std::string& key) const {
-  if (!has(key)) complain("\"" + key + "\" is missing; it must be given");
+  if (!has(key)) complain(fmt::format("\"{}\" is missing; it must be given", key));
   return child(key, json_->at(key));
 }
 
-Node Node::at(std::size_t index) const { return child(std::to_string(index), json_->at(index)); }
+Node Node::at(std::size_t index) const { return child(fmt::format_int(index).str(), json_->at(index)); }
 
 std::size_t Node::size() const {
   if (!json_->is_array()) reject("an array");
@@ -72,7 +73,7 @@ double Node::not_negative() const {
 std::uint64_t Node::integer(std::uint64_t least, std::uint64_t most) const {
   if (json_->is_number_unsigned() && json_->get<std::uint64_t>() >= least && json_->get<std::uint64_t>() <= most)
     return json_->get<std::uint64_t>();
-  reject("an integer from " + std::to_string(least) + " to " + std::to_string(most));
+  reject(fmt::format("an integer from {} to {}", least, most));
 }
 
 bool Node::yes_or_no() const {
@@ -88,9 +89,7 @@ std::string Node::text() const {
 std::string Node::one_of(std::span<const std::string_view> accepted) const {
   if (json_->is_string() && std::find(accepted.begin(), accepted.end(), json_->get<std::string>()) != accepted.end())
     return text();
-  std::string list;
-  for (std::string_view word : accepted) list += (list.empty() ? "" : " or ") + std::string(word);
-  reject(list);
+  reject(fmt::format("{}", fmt::join(accepted, " or ")));
 }
 
 Vec3 Node::vector() const {
@@ -126,17 +125,18 @@ Json parse(const std::string& file, const std::string& text) {
   try {
     json = Json::parse(text, std::ref(keys));
   } catch (const Json::parse_error& error) {
-    throw BadInput(file + ":" + line_and_column(text, error.byte > 0 ? error.byte - 1 : 0) +
-                   ": no JSON: must be one object as docs/scenes.md describes");
+    throw BadInput(fmt::format("{}:{}: no JSON: must be one object as docs/scenes.md describes", file,
+                               line_and_column(text, error.byte > 0 ? error.byte - 1 : 0)));
   } catch (const Json::out_of_range& error) {  // 406, "number overflow parsing '1e999'"
     const std::string message = error.what();
     const std::size_t first = message.find('\'') + 1, end = message.rfind('\'');
     const std::string number = message.substr(first, end - first);
-    throw BadInput(file + ":" + line_and_column(text, text.find(number)) + ": " + number +
-                   ": must be at most 1.8e308 in size");
+    throw BadInput(fmt::format("{}:{}: {}: must be at most 1.8e308 in size", file,
+                               line_and_column(text, text.find(number)), number));
   }
   if (!keys.repeated.empty())
-    throw BadInput(file + ": key \"" + keys.repeated + "\" is given twice in one object; it must be given once");
+    throw BadInput(
+        fmt::format("{}: key \"{}\" is given twice in one object; it must be given once", file, keys.repeated));
   return json;
 }
 

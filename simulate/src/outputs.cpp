@@ -4,6 +4,8 @@
 #include <console/number.hpp>
 #include <console/output.hpp>
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -12,15 +14,14 @@
 #include <cmath>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace ricochet::simulate {
 namespace {
 
 using console::shortest;
 
-void add(std::string& line, Vec3 v) {
-  for (double c : {v.x, v.y, v.z}) line += ' ' + shortest(c);
-}
+std::string spelled(Vec3 v) { return fmt::format("{} {} {}", shortest(v.x), shortest(v.y), shortest(v.z)); }
 
 std::string finite_or_empty(double value) { return std::isfinite(value) ? shortest(value) : ""; }
 
@@ -28,17 +29,14 @@ std::string finite_or_empty(double value) { return std::isfinite(value) ? shorte
 
 // The property names that OVITO maps to particle properties by itself.
 std::string frame_xyz(const Scene& scene, const Cluster& cluster) {
-  std::string frame = std::to_string(cluster.size()) +
-                      "\nProperties=species:S:1:pos:R:3:radius:R:1:mass:R:1:velo:R:3:angular_velocity:R:3 Time=" +
-                      shortest(cluster.time()) + " pbc=\"F F F\"\n";
+  std::string frame = fmt::format(R"({}
+Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:velo:R:3:angular_velocity:R:3 Time={} pbc="F F F"
+)",
+                                  cluster.size(), shortest(cluster.time()));
   for (std::size_t i = 0; i < cluster.size(); ++i) {
     const Sphere& s = scene.setup.spheres[i];
-    frame += "m" + std::to_string(s.material);
-    add(frame, cluster.position(i));
-    frame += ' ' + shortest(s.radius) + ' ' + shortest(s.mass());
-    add(frame, cluster.velocity(i));
-    add(frame, cluster.spin(i));
-    frame += '\n';
+    frame += fmt::format("m{} {} {} {} {} {}\n", s.material, spelled(cluster.position(i)), shortest(s.radius),
+                         shortest(s.mass()), spelled(cluster.velocity(i)), spelled(cluster.spin(i)));
   }
   return frame;
 }
@@ -49,9 +47,9 @@ std::string energy_header() {
 
 std::string energy_row(const Cluster& cluster) {
   const ClusterEnergy e = cluster.energy();
-  std::string row = shortest(cluster.time());
-  for (double v : {e.kinetic, e.gravity, e.stored, e.lost_normal, e.lost_friction, e.total()}) row += ',' + shortest(v);
-  return row + ',' + std::to_string(cluster.contacts().size()) + '\n';
+  return fmt::format("{},{},{},{},{},{},{},{}\n", shortest(cluster.time()), shortest(e.kinetic), shortest(e.gravity),
+                     shortest(e.stored), shortest(e.lost_normal), shortest(e.lost_friction), shortest(e.total()),
+                     cluster.contacts().size());
 }
 
 std::string contact_header() { return "i,j,t_begin [s],t_end [s],t_separation [s],ended,phases\n"; }
@@ -60,20 +58,20 @@ std::string contact_row(const Scene& scene, const Encounter& e) {
   std::array<std::size_t, phase_count> order{};
   for (std::size_t k = 0; k < phase_count; ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return e.phase_begin[a] < e.phase_begin[b]; });
-  std::string phases;
+  std::vector<std::string> phases;
   for (std::size_t k : order)
     if (std::isfinite(e.phase_begin[k]))
-      phases +=
-          (phases.empty() ? "" : "; ") + std::string(name(static_cast<Phase>(k))) + " " + shortest(e.phase_begin[k]);
-  return scene.body_names[e.i] + ',' + scene.body_names[e.j] + ',' + shortest(e.begin) + ',' + finite_or_empty(e.end) +
-         ',' + finite_or_empty(e.separation) + ',' + std::string(name(e.how)) + ',' + phases + '\n';
+      phases.push_back(fmt::format("{} {}", name(static_cast<Phase>(k)), shortest(e.phase_begin[k])));
+  return fmt::format("{},{},{},{},{},{},{}\n", scene.body_names[e.i], scene.body_names[e.j], shortest(e.begin),
+                     finite_or_empty(e.end), finite_or_empty(e.separation), name(e.how), fmt::join(phases, "; "));
 }
 
 GrowingFile::GrowingFile(std::string path, std::uint64_t length)
     : path_(std::move(path)),
       length_(length),
       file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (length == 0 ? O_TRUNC : 0), 0666)) {
-  if (file_ < 0) throw console::BadInput(path_ + ": cannot write: " + std::generic_category().message(errno));
+  if (file_ < 0)
+    throw console::BadInput(fmt::format("{}: cannot write: {}", path_, std::generic_category().message(errno)));
   if (length == 0) return;
   const off_t end = ::lseek(file_, 0, SEEK_END);
   if (end < static_cast<off_t>(length)) {

@@ -1,5 +1,7 @@
 #include "place.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -28,7 +30,7 @@ class Walker {
           name = text_.substr(key + 1, at_ - key - 2);
           skip_to_value();
         }
-        if (object ? name == step : std::to_string(index) == step) return true;
+        if (object ? name == step : fmt::format_int(index).str() == step) return true;
         skip_value();
         skip_to_value();
       }
@@ -70,7 +72,7 @@ std::string line_and_column(const std::string& text, std::size_t offset) {
   const std::size_t end = std::min(offset, text.size());
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
   const std::size_t start = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
-  return std::to_string(line) + ":" + std::to_string(start == std::string::npos ? end + 1 : end - start);
+  return fmt::format("{}:{}", line, start == std::string::npos ? end + 1 : end - start);
 }
 
 std::size_t place_of(const std::string& text, const std::string& path) {

@@ -9,6 +9,8 @@
 #include <console/progress.hpp>
 #include <console/signals.hpp>
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -80,8 +82,9 @@ class Run {
  private:
   void step() {
     if (!cluster_.advance(1) || !std::isfinite(cluster_.energy().total()))
-      throw console::Failed("t = " + console::significant(cluster_.time(), 6) +
-                            " s: the motion is no longer finite; a smaller \"step\" is needed. All before is written");
+      throw console::Failed(
+          fmt::format("t = {} s: the motion is no longer finite; a smaller \"step\" is needed. All before is written",
+                      console::significant(cluster_.time(), 6)));
     for (const Encounter& e : cluster_.take_finished()) contacts_.append(contact_row(scene_, e));
     const std::uint64_t done = cluster_.steps();
     if (done % scene_.output_every == 0 || done == scene_.steps) output();
@@ -90,20 +93,22 @@ class Run {
   void report_kernel() const {
     const double error = cluster_.kernel_error();
     if (error <= unspoken_kernel_error) return;
-    console::complain("simulate", "the memory of fractional contacts of up to " +
-                                      console::significant(scene_.options.longest_contact, 3) + " s is kept to " +
-                                      console::significant(error, 2) + " of its kernel; docs/scenes.md says why");
+    console::complain(
+        "simulate",
+        fmt::format("the memory of fractional contacts of up to {} s is kept to {} of its kernel; "
+                    "docs/scenes.md says why",
+                    console::significant(scene_.options.longest_contact, 3), console::significant(error, 2)));
   }
 
   void report() const {
     const ClusterState s = cluster_.state();
     if (s.unconverged == 0) return;
-    console::complain("simulate", std::to_string(s.unconverged) + " of " + std::to_string(s.steps) +
-                                      " steps ended after " + std::to_string(scene_.options.max_sweeps) +
-                                      " sweeps over the contacts, when impulses still changed by up to " +
-                                      console::significant(s.worst_change, 2) + " of the greatest, not by " +
-                                      console::significant(scene_.options.solver_tolerance, 2) +
-                                      "; docs/scenes.md says what that means");
+    console::complain(
+        "simulate",
+        fmt::format("{} of {} steps ended after {} sweeps over the contacts, when impulses still changed "
+                    "by up to {} of the greatest, not by {}; docs/scenes.md says what that means",
+                    s.unconverged, s.steps, scene_.options.max_sweeps, console::significant(s.worst_change, 2),
+                    console::significant(scene_.options.solver_tolerance, 2)));
   }
 
   void output() {
@@ -131,11 +136,11 @@ int run(const Scene& scene, const std::string& folder, bool resume, const std::f
   std::error_code error;
   if (!resume) {
     if (fs::exists(state, error))
-      throw console::BadInput("-o " + folder +
-                              ": holds a run already; --resume goes on with it, another folder starts anew");
+      throw console::BadInput(
+          fmt::format("-o {}: holds a run already; --resume goes on with it, another folder starts anew", folder));
     Cluster cluster = prepared(scene);
     fs::create_directories(folder, error);
-    if (error) throw console::BadInput("-o " + folder + ": cannot be made: " + error.message());
+    if (error) throw console::BadInput(fmt::format("-o {}: cannot be made: {}", folder, error.message()));
     return Run(scene, std::move(cluster), folder, {}).go(begun);
   }
   const Checkpoint from = read_checkpoint(state, read_all(state), scene);

@@ -6,10 +6,14 @@
 #include <console/exit.hpp>
 #include <console/number.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 namespace ricochet::simulate {
 namespace {
@@ -43,9 +47,9 @@ Materials read_materials(const Node& node) {
 const Material& material_of(const Node& node, const Materials& materials) {
   const auto found = materials.find(node.text());
   if (found != materials.end()) return found->second;
-  std::string known;
-  for (const auto& [name, material] : materials) known += (known.empty() ? "" : ", ") + name;
-  node.reject("one of the materials " + known);
+  std::vector<std::string_view> known;
+  for (const auto& [name, material] : materials) known.push_back(name);
+  node.reject(fmt::format("one of the materials {}", fmt::join(known, ", ")));
 }
 
 Friction read_friction(const Node& node) {
@@ -95,14 +99,14 @@ void read_spheres(const Node& node, const Materials& materials, Scene& scene) {
     if (entry.has("velocity")) s.velocity = entry.at("velocity").vector();
     if (entry.has("spin")) s.spin = entry.at("spin").vector();
     scene.setup.spheres.push_back(s);
-    scene.body_names.push_back(std::to_string(k + 1));
+    scene.body_names.push_back(fmt::format_int(k + 1).str());
   }
 }
 
 void read_walls(const Node& root, const Materials& materials, Scene& scene) {
   const auto add = [&](const Wall& wall) {
     scene.setup.walls.push_back(wall);
-    scene.body_names.push_back("wall" + std::to_string(scene.setup.walls.size()));
+    scene.body_names.push_back(fmt::format("wall{}", scene.setup.walls.size()));
   };
   for (std::size_t k = 0; root.has("walls") && k < root.at("walls").size(); ++k) {
     const Node entry = root.at("walls").at(k);
@@ -134,8 +138,8 @@ void check_pairs(const Node& root, const Materials& materials, const Scene& scen
   const auto need = [&](std::size_t a, std::size_t b) {
     if (scene.setup.interactions.contains(std::minmax(a, b))) return;
     root.at("interactions")
-        .complain("no entry between \"" + name_of(materials, a) + "\" and \"" + name_of(materials, b) +
-                  "\", which can meet; it must be given");
+        .complain(fmt::format("no entry between \"{}\" and \"{}\", which can meet; it must be given",
+                              name_of(materials, a), name_of(materials, b)));
   };
   for (const auto& [a, count] : spheres) {
     if (count > 1) need(a, a);
@@ -150,23 +154,23 @@ void check_apart(const Node& root, const ClusterSetup& setup) {
   std::vector<double> radii;
   for (const Sphere& s : setup.spheres) positions.push_back(s.position), radii.push_back(s.radius);
   const auto complain = [&](std::size_t i, const std::string& other, double overlap) {
-    root.at("spheres").at(i).complain("overlaps " + other + " by " + significant(overlap, 3) +
-                                      " m at the start; bodies must be apart or just touch");
+    root.at("spheres").at(i).complain(fmt::format(
+        "overlaps {} by {} m at the start; bodies must be apart or just touch", other, significant(overlap, 3)));
   };
   for (const NearPair& pair : near_pairs(positions, radii, 0)) {
     const double reach = radii[pair.i] + radii[pair.j], overlap = reach - norm(positions[pair.j] - positions[pair.i]);
-    if (overlap > 1e-12 * reach) complain(pair.j, "/spheres/" + std::to_string(pair.i), overlap);
+    if (overlap > 1e-12 * reach) complain(pair.j, fmt::format("/spheres/{}", pair.i), overlap);
   }
   for (std::size_t i = 0; i < positions.size(); ++i)
     for (std::size_t w = 0; w < setup.walls.size(); ++w) {
       const Wall& wall = setup.walls[w];
       const double overlap = radii[i] - dot(positions[i] - wall.point, wall.inward) / norm(wall.inward);
-      if (overlap > 1e-12 * radii[i]) complain(i, "wall" + std::to_string(w + 1), overlap);
+      if (overlap > 1e-12 * radii[i]) complain(i, fmt::format("wall{}", w + 1), overlap);
     }
 }
 
 std::string body(const Scene& scene, std::size_t k) {
-  return (k < scene.setup.spheres.size() ? "sphere " : "") + scene.body_names[k];
+  return fmt::format("{}{}", k < scene.setup.spheres.size() ? "sphere " : "", scene.body_names[k]);
 }
 
 // The step, such that the output interval is a whole number of steps.
@@ -179,14 +183,15 @@ void choose_step(const Node& root, Scene& scene) {
   double step = tcol > 0 ? std::min(tcol / steps_per_collision, interval) : interval / 100;
   if (root.has("step")) {
     step = root.at("step").positive();
-    if (step > interval) root.at("step").reject("at most the output interval, " + shortest(interval) + " s");
+    if (step > interval) root.at("step").reject(fmt::format("at most the output interval, {} s", shortest(interval)));
     if (tcol > 0 && step > tcol / least_steps_per_collision)
-      root.at("step").reject("at most " + significant(tcol / least_steps_per_collision, 3) + " s, a 20th of the " +
-                             significant(tcol, 3) + " s that " + body(scene, scene.stiffest.i) + " and " +
-                             body(scene, scene.stiffest.j) + " collide");
+      root.at("step").reject(fmt::format("at most {} s, a 20th of the {} s that {} and {} collide",
+                                         significant(tcol / least_steps_per_collision, 3), significant(tcol, 3),
+                                         body(scene, scene.stiffest.i), body(scene, scene.stiffest.j)));
   }
   const double per_output = std::ceil(interval / step * (1 - 1e-12));
-  if (duration / step > 1e15) root.at("duration").reject("less than 1e15 steps of " + significant(step, 3) + " s");
+  if (duration / step > 1e15)
+    root.at("duration").reject(fmt::format("less than 1e15 steps of {} s", significant(step, 3)));
   scene.output_every = static_cast<std::uint64_t>(per_output);
   scene.options.step = interval / per_output;
   scene.steps = static_cast<std::uint64_t>(std::ceil(duration / scene.options.step * (1 - 1e-12)));
@@ -196,7 +201,7 @@ void choose_step(const Node& root, Scene& scene) {
 std::string fingerprint(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
   for (unsigned char byte : text) hash = (hash ^ byte) * 0x100000001b3u;
-  return std::to_string(hash);
+  return fmt::format_int(hash).str();
 }
 
 }  // namespace

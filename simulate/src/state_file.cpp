@@ -5,6 +5,8 @@
 #include <console/exit.hpp>
 #include <console/json.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <span>
@@ -56,7 +58,7 @@ Json json(const ContactState& c, const ContactMemory& memory) {
 
 void expect_length(const Node& array, std::size_t length, const std::string& of_what) {
   if (!array.json().is_array() || array.json().size() != length)
-    array.reject("an array of " + std::to_string(length) + " " + of_what);
+    array.reject(fmt::format("an array of {} {}", length, of_what));
 }
 
 double time_or_never(const Node& node) { return node.json().is_null() ? Encounter::never : node.not_negative(); }
@@ -96,9 +98,9 @@ const NormalLaw& law_between(const Scene& scene, const Encounter& r) {
 
 ContactMemory read_memory(const Node& node, const NormalLaw& law) {
   const std::string name(law.name());
-  if (node.at("law").text() != name) node.at("law").reject("\"" + name + "\", as in the scene");
+  if (node.at("law").text() != name) node.at("law").reject(fmt::format("\"{}\", as in the scene", name));
   const Node memory = node.at("memory");
-  expect_length(memory, law.memory_size(), "numbers, the memory of the law \"" + name + "\"");
+  expect_length(memory, law.memory_size(), fmt::format("numbers, the memory of the law \"{}\"", name));
   ContactMemory read{name, {}};
   for (std::size_t k = 0; k < law.memory_size(); ++k) read.values.push_back(memory.at(k).number());
   return read;
@@ -166,8 +168,10 @@ void check_kind(const std::string& file, const Json& json, const Scene& scene) {
   if (written.compare(0, family.size(), family) != 0)
     throw console::BadInput(file + ": must be a state that simulate saved; start again without --resume");
   if (written != schema)
-    throw console::BadInput(file + ": /schema = " + json["schema"].dump() + ": must be \"" + schema +
-                            "\", as this version of simulate saves; start again without --resume");
+    throw console::BadInput(
+        fmt::format("{}: /schema = {}: must be \"{}\", as this version of simulate saves; start "
+                    "again without --resume",
+                    file, json["schema"].dump(), schema));
   if (text_of("scene") != scene.fingerprint)
     throw console::BadInput(file + ": of another scene; must be of the one given");
 }

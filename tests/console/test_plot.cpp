@@ -1,12 +1,14 @@
 #include "temporary_folder.hpp"
 
 #include <console/exit.hpp>
+#include <console/gnuplot.hpp>
 #include <console/output.hpp>
 #include <console/plot.hpp>
 
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
+#include <utility>
 
 using namespace ricochet::console;
 
@@ -25,6 +27,48 @@ TEST_CASE("gnuplot draws SVG and PNG beside the data, in any locale") {
   CHECK(read_file(folder / "plots/line.csv") == "x,y\n0,0\n1,1\n");
   CHECK(read_file(folder / "plots/line.svg").find("</svg>") != std::string::npos);
   CHECK(read_file(folder / "plots/line.png").substr(1, 3) == "PNG");
+}
+
+TEST_CASE("a panel's script says all that is said about it") {
+  const Panel panel{.x = {.label = "t [s]", .log = true, .range = std::pair(0.5, 8.0), .format = ""},
+                    .y = {.label = "it's", .label_offset = "1,0"},
+                    .curves = {{.file = "a.csv", .what = "1:2", .style = "lines lt 1", .title = "a"},
+                               {.file = "a.csv", .block = 0, .what = "1:2", .style = "points"},
+                               {.file = "a.csv", .block = 2, .what = "1:3", .style = "points"},
+                               {.what = "0", .style = "lines"}},
+                    .key = "left top",
+                    .zero_line = true};
+  CHECK(script_of({.panels = {panel}}) == R"(set xrange [0.5:8]
+set logscale x
+set format x ''
+set xlabel 't [s]' offset 0,0
+set yrange [*:*]
+unset logscale y
+set format y 
+set ylabel 'it''s' offset 1,0
+set key left top
+unset offsets
+set xzeroaxis lt 1 lc rgb 'black' lw 0.7
+plot 'a.csv' skip 1 using 1:2 with lines lt 1 title 'a', \
+  'a.csv' skip 1 index 0 using 1:2 with points notitle, \
+  'a.csv' index 2 using 1:3 with points notitle, \
+  0 with lines notitle
+)");
+}
+
+TEST_CASE("gnuplot draws what panels describe, with the key in a panel of its own") {
+  const Panel panel{.x = {.label = "t"},
+                    .y = {.label = "f"},
+                    .curves = {{.file = "two.csv", .block = 0, .what = "1:2", .style = "lines lt 1", .title = "it's"},
+                               {.file = "two.csv", .block = 1, .what = "1:2", .style = "lines lt 2", .title = "other"}},
+                    .room = "graph 0,0.02,0.03,0"};
+  const Plot plot{.panels = {panel},
+                  .layout = Layout{.rows = 1, .columns = 2, .left = 0.1, .right = 0.9, .bottom = 0.1, .top = 0.9},
+                  .key_panel = "left top"};
+  const std::string svg = svg_of({"two", "Two lines", script_of(plot), {{"two.csv", "t,f\n0,0\n1,1\n\n\n0,1\n1,0\n"}}});
+  CHECK(svg.find("it's") != std::string::npos);
+  CHECK(svg.find("other") != std::string::npos);
+  CHECK_THROWS_AS(svg_of({"two", "", script_of(plot), {{"two.csv", "t,f\n"}}}), Failed);  // nothing to draw
 }
 
 TEST_CASE("gnuplot's complaint is reported and nothing is drawn") {

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ricochet::console {
+
+// A plot in types, and the one place where it becomes a script of gnuplot. Words of gnuplot's own stand only where it
+// has a language that no list of ours would be better than: columns, styles, the place of a key.
+
+struct Axis {
+  std::string label = {};
+  bool log = false;
+  std::optional<std::pair<double, double>> range = {};  ///< without: gnuplot's choice
+  std::optional<std::string> format = {};               ///< of the numbers, as printf; "" leaves them out
+  std::string label_offset = "0,0";                     ///< in characters
+};
+
+/// Columns of one of the figure's data files, of which the first line is a header; or, without a file, an expression.
+struct Curve {
+  std::string file = {};
+  std::optional<std::size_t> block = {};  ///< of a file in which two blank lines end a block
+  std::string what = {};                  ///< the columns, "1:3" or "($2*1e3):5", or the expression, "0"
+  std::string style = {};                 ///< "lines lt 1 lw 2"
+  std::string title = {};                 ///< in the key of a panel that has one
+};
+
+struct Panel {
+  Axis x = {}, y = {};
+  std::vector<Curve> curves = {};
+  std::string key = {};    ///< where it stands, "outside right center"; without: there is none
+  std::string room = {};   ///< around what an axis without a range must hold, "graph 0,0.02,0.03,0"
+  bool zero_line = false;  ///< a black line at y = 0
+};
+
+/// Panels in rows, from the left above; all measures are shares of the picture.
+struct Layout {
+  int rows = 1, columns = 1;
+  double left = 0, right = 1, bottom = 0, top = 1;  ///< edges of the whole
+  double between_columns = 0, between_rows = 0;
+};
+
+struct Plot {
+  std::vector<Panel> panels = {};  ///< one, where there is no layout
+  std::optional<Layout> layout = {};
+  std::string key_panel = {};  ///< the place in one panel more, without axes, of a key to the first one's curves
+};
+
+/// The script of a Figure. Every panel says all that is said about it, nothing stays from the one before.
+std::string script_of(const Plot& plot);
+
+}  // namespace ricochet::console

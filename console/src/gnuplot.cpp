@@ -1,0 +1,76 @@
+#include <console/gnuplot.hpp>
+#include <console/number.hpp>
+
+#include <fmt/format.h>
+
+namespace ricochet::console {
+
+namespace {
+
+/// As gnuplot reads a text between single quotes.
+std::string quoted(const std::string& text) {
+  std::string inside;
+  for (const char c : text) inside += c == '\'' ? "''" : std::string(1, c);
+  return fmt::format("'{}'", inside);
+}
+
+std::string words_of(char name, const Axis& axis) {
+  const std::string range =
+      axis.range ? fmt::format("{}:{}", shortest(axis.range->first), shortest(axis.range->second)) : "*:*";
+  const std::string label = axis.label.empty()
+                                ? fmt::format("unset {}label", name)
+                                : fmt::format("set {}label {} offset {}", name, quoted(axis.label), axis.label_offset);
+  return fmt::format("set {0}range [{1}]\n{2} logscale {0}\nset format {0} {3}\n{4}\n", name, range,
+                     axis.log ? "set" : "unset", axis.format ? quoted(*axis.format) : "", label);
+}
+
+std::string words_of(const Curve& curve, bool titled) {
+  std::string source = curve.what;
+  if (!curve.file.empty()) {
+    const std::string header = curve.block.value_or(0) == 0 ? " skip 1" : "";
+    const std::string block = curve.block ? fmt::format(" index {}", *curve.block) : "";
+    source = fmt::format("{}{}{} using {}", quoted(curve.file), header, block, curve.what);
+  }
+  const std::string title = titled && !curve.title.empty() ? fmt::format("title {}", quoted(curve.title)) : "notitle";
+  return fmt::format("{} with {} {}", source, curve.style, title);
+}
+
+std::string words_of(const std::vector<Curve>& curves, bool titled) {
+  std::vector<std::string> all;
+  for (const Curve& curve : curves) all.push_back(words_of(curve, titled));
+  return fmt::format("plot {}\n", fmt::join(all, ", \\\n  "));
+}
+
+std::string words_of(const Panel& panel) {
+  return words_of('x', panel.x) + words_of('y', panel.y) +
+         (panel.key.empty() ? "unset key\n" : fmt::format("set key {}\n", panel.key)) +
+         (panel.room.empty() ? "unset offsets\n" : fmt::format("set offsets {}\n", panel.room)) +
+         (panel.zero_line ? "set xzeroaxis lt 1 lc rgb 'black' lw 0.7\n" : "unset xzeroaxis\n") +
+         words_of(panel.curves, !panel.key.empty());
+}
+
+/// A key needs curves to stand for: those of `panel`, with nothing to draw.
+std::string key_alone(Panel panel, const std::string& place) {
+  for (Curve& curve : panel.curves) curve = {.what = "NaN", .style = curve.style, .title = curve.title};
+  const Axis unit{.range = std::pair(0.0, 1.0)};
+  return "unset border\nunset tics\nunset grid\n" +
+         words_of(Panel{.x = unit, .y = unit, .curves = panel.curves, .key = place});
+}
+
+std::string words_of(const Layout& layout) {
+  const auto share = [](double value) { return fixed(value, 3); };
+  return fmt::format("set multiplot layout {},{} margins {},{},{},{} spacing {},{}\n", layout.rows, layout.columns,
+                     share(layout.left), share(layout.right), share(layout.bottom), share(layout.top),
+                     share(layout.between_columns), share(layout.between_rows));
+}
+
+}  // namespace
+
+std::string script_of(const Plot& plot) {
+  std::string script = plot.layout ? words_of(*plot.layout) : "";
+  for (const Panel& panel : plot.panels) script += words_of(panel);
+  if (!plot.key_panel.empty()) script += key_alone(plot.panels.front(), plot.key_panel);
+  return plot.layout ? script + "unset multiplot\n" : script;
+}
+
+}  // namespace ricochet::console
