@@ -96,6 +96,10 @@ double miss(const Collision& out, double tcol, double en) {
   return out.separated() ? std::max(std::abs(out.tcol - tcol) / tcol, std::abs(out.en - en) / en) : 1;
 }
 
+/// How far the parameters of a law may be off where ln t_col and ln L, L = −ln e_n, are off by `tolerance`: they go
+/// with t_col^{−2} at most, with L where little is lost, and where much is with e^{2L} at most.
+double allowance(double tolerance, double en) { return tolerance * 2 * (1 - std::log(en)); }
+
 /// Does a point of the search do what the search wanted of it?
 bool hits(const Solution& found, const Request& request, double tolerance) {
   return miss(collide(found.law, {1, 1}, {request.end}), 1, request.target.en) <= tolerance;
@@ -174,7 +178,9 @@ Outcome calibrate(const Request& request, const Settings& settings) {
   const Solution found = search(request.law, request.end, request.target.en, settings.algorithm, settings.tolerance);
   const auto found_law = in_si(found.law, request.target, held_stiffness(request));
   const bool hit = found_law && hits(found, request, settings.tolerance);
-  const bool by_search = settings.method == Method::nlopt && hit;
+  const double apart = greatest_relative_difference(direct->law, found.law);
+  const bool agrees = apart <= allowance(settings.tolerance, request.target.en);
+  const bool by_search = settings.method == Method::nlopt && hit && agrees;
   const Solution& chosen = by_search ? found : direct.value();
   Calibration out{.law = by_search ? *found_law : std::get<AnyLaw>(law),
                   .end = request.end,
@@ -186,12 +192,17 @@ Outcome calibrate(const Request& request, const Settings& settings) {
                   .algorithm = chosen.algorithm,
                   .evaluations = chosen.evaluations,
                   .cross_method = by_search ? Method::direct : Method::nlopt,
-                  .cross_difference = greatest_relative_difference(direct->law, found.law)};
+                  .cross_difference = apart};
   out.tcol_estimate = estimate(out.law, request.target.impact, request.end);
+  const bool searched = settings.method == Method::nlopt;
   if (!hit)
-    out.remarks.push_back(settings.method == Method::nlopt
+    out.remarks.push_back(searched
                               ? fmt::format("{} missed the tolerance; the direct solution is answered", found.algorithm)
                               : fmt::format("the cross-check by {} missed the tolerance", found.algorithm));
+  else if (!agrees)
+    out.remarks.push_back(
+        fmt::format("so many laws meet the target within rounding that {} is off by {} in a parameter{}",
+                    found.algorithm, significant(apart, 2), searched ? "; the direct solution is answered" : ""));
   check(out, request, settings.tolerance);
   return out;
 }

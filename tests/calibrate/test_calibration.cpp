@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -202,14 +203,46 @@ TEST_CASE("where the search misses the tolerance the direct solution is answered
     CHECK(std::abs(result.en_residual) <= 1e-10);
     if (result.method == Method::nlopt) return false;
     CHECK(result.cross_method == Method::nlopt);
-    CHECK(result.remarks.at(0) == settings.algorithm + " missed the tolerance; the direct solution is answered");
+    CHECK_THAT(result.remarks.at(0), Catch::EndsWith("; the direct solution is answered"));
     return true;
   };
   // No step of a search is small enough for a k2/k1 past e^40.
   CHECK(by_direct({kind_of<Hysteretic>, ContactEnd::force}, 1e-9, {}));
+  CHECK(calibrated({kind_of<Hysteretic>, ContactEnd::force}, 1e-4, 1e-9).remarks.at(0) ==
+        "LN_BOBYQA missed the tolerance; the direct solution is answered");
   for (const auto& c : all_cases)
     if (c.law != kind_of<Fractional> || c.end != ContactEnd::overlap) by_direct(c, 0.002, {});
   for (const auto& c : all_cases) by_direct(c, 0.999999999999, {.algorithm = "LD_SLSQP"});
   const auto asked = calibrated({kind_of<Hysteretic>, ContactEnd::force}, 1e-4, 1e-9, {.method = Method::direct});
   CHECK(asked.remarks.at(0) == "the cross-check by LN_BOBYQA missed the tolerance");
+}
+
+namespace {
+
+double greatest_difference(const Calibration& one, const Calibration& other) {
+  const auto ours = identifiable(one.law), theirs = identifiable(other.law);
+  double greatest = 0;
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    greatest = std::max(greatest, std::abs(ours[i].value / theirs[i].value - 1));
+  return greatest;
+}
+
+}  // namespace
+
+TEST_CASE("close to en = 1 the answer keeps the digits that the parameters have, and says where it got them") {
+  // Rounding hides 2e-14 of −ln e_n from a search: with it go c, alpha and k2/k1 − 1, 2 % of them at 1 − 1e-12. What
+  // the tolerance of 1e-10 allows is 2e-10, t_col entering squared.
+  for (const auto& c : all_cases)
+    for (const double en : {0.999, 1 - 1e-5, 1 - 1e-6, 1 - 1e-9, 1 - 1e-12, 1 - 1e-15}) {
+      CAPTURE(c.law.name(), text(c.end), en);
+      const auto asked = calibrated(c, 1e-4, en), direct = calibrated(c, 1e-4, en, {.method = Method::direct});
+      CHECK(greatest_difference(asked, direct) <= 2.1e-10);
+      if (asked.method == Method::nlopt) continue;
+      CHECK_THAT(asked.remarks.at(0), Catch::EndsWith("; the direct solution is answered"));
+    }
+  const auto tsuji = calibrated({kind_of<Tsuji>, ContactEnd::force}, 1e-4, 1 - 1e-12);
+  CHECK(tsuji.method == Method::direct);
+  CHECK(tsuji.cross_method == Method::nlopt);
+  CHECK(tsuji.cross_difference > 1e-4);
+  CHECK(calibrated({kind_of<Tsuji>, ContactEnd::force}, 1e-4, 0.999).method == Method::nlopt);
 }

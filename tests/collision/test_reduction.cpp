@@ -70,3 +70,91 @@ TEST_CASE("every law reaches every restitution, as far as doubles carry it", "[t
        {kind_of<Linear>, kind_of<Tsuji>, kind_of<Hysteretic>, kind_of<KuwabaraKono>, kind_of<Fractional>})
     CHECK_FALSE(unit_law(kind, 1e-320, force));
 }
+
+namespace {
+
+/// The reduction that any law has against that of the law itself: `unit` to 1e-8, what a search by collisions gives.
+template <class Law>
+void check_generic(ContactEnd end) {
+  for (const double en : {0.05, 0.3, 0.7, 0.99}) {
+    CAPTURE(Law::name, static_cast<int>(end), en);
+    const auto own = Reduction<Law>::unit(en, end), generic = GenericReduction<Law>::unit(en, end);
+    REQUIRE(own);
+    REQUIRE(generic);
+    for (std::size_t i = 0; i < 2; ++i)
+      CHECK(generic->law.values()[i] == Approx(own->law.values()[i]).epsilon(1e-8).margin(0));
+    CHECK_FALSE(generic->closed_form);
+    CHECK(generic->collisions > 1);
+  }
+}
+
+/// k m v^{1−P} t^{−P−1} and c m v^{−Q} t^{−Q−1}: the units of an impact, P and Q spelt out.
+template <class Law>
+void check_scaling(double P, double Q) {
+  const double k = 3, c = 0.7, tcol = 2.3e-5;
+  const Impact impact{0.37, 4.1e-6};
+  const double m = impact.mass_eff, v = impact.velocity;
+  const auto law = Reduction<Law>::in_si(Law(k, c), tcol, impact);
+  REQUIRE(law);
+  CHECK(law->k() == Approx(k * m * std::pow(v, 1 - P) * std::pow(tcol, -P - 1)).epsilon(1e-14));
+  CHECK(law->c() == Approx(c * m * std::pow(v, -Q) * std::pow(tcol, -Q - 1)).epsilon(1e-14));
+  // Neither e_n nor t_col/tcol may change on the way.
+  const auto unit = collide(Law(k, c), {1, 1}), si = collide(*law, impact);
+  CHECK(si.en == Approx(unit.en).epsilon(1e-10));
+  CHECK(si.tcol / tcol == Approx(unit.tcol).epsilon(1e-10));
+}
+
+}  // namespace
+
+TEST_CASE("the reduction that any law has is that of the laws of which more is known", "[tuned]") {
+  check_generic<Linear>(ContactEnd::force);
+  check_generic<Linear>(ContactEnd::overlap);
+  check_generic<Tsuji>(ContactEnd::force);
+  check_generic<Tsuji>(ContactEnd::overlap);
+  // Of Kuwabara and Kono's law nothing more is known than its elastic contact.
+  const auto elastic = GenericReduction<KuwabaraKono>::unit(1, ContactEnd::force);
+  REQUIRE(elastic);
+  CHECK(elastic->law.c() == 0);
+  CHECK(elastic->law.k() == Approx(Reduction<Tsuji>::unit(1, ContactEnd::force)->law.k()).epsilon(1e-9));
+}
+
+TEST_CASE("a law goes over into SI by its dimensions alone", "[tuned]") {
+  check_scaling<Linear>(1, 0);
+  check_scaling<KuwabaraKono>(1.5, 0.5);
+  check_scaling<Tsuji>(1.5, 0.25);
+  const auto hysteretic = Reduction<Hysteretic>::in_si({3, 5}, 2e-5, {0.4, 4e-6});
+  REQUIRE(hysteretic);
+  CHECK(hysteretic->k1() == Approx(3 * 4e-6 / 4e-10).epsilon(1e-14));
+  CHECK(hysteretic->k2() == Approx(5 * 4e-6 / 4e-10).epsilon(1e-14));
+}
+
+TEST_CASE("coordinates with a collision time of 1 keep e_n and take it", "[tuned]") {
+  for (const LawKind kind : LawKind::all()) {
+    CAPTURE(kind.name());
+    const double loss = -1;
+    const auto before = collide(scaled_law(kind, {0, loss}), {1, 1});
+    const auto after = collide(scaled_law(kind, with_unit_tcol(kind, loss, before.tcol)), {1, 1});
+    CHECK(after.tcol == Approx(1).epsilon(1e-9));
+    CHECK(after.en == Approx(before.en).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a fractional law holds the k that is wanted, and collides the same", "[tuned]") {
+  const auto unit = Reduction<Fractional>::unit(0.5, ContactEnd::force);
+  REQUIRE(unit);
+  const double tcol = 1e-4, mass = 7e-6, alpha = unit->law.alpha();
+  for (const double k : {500.0, 5000.0, 5e5}) {
+    const auto law = Reduction<Fractional>::holding(k, unit->law, tcol, mass);
+    REQUIRE(law);
+    CHECK(law->k() == k);
+    CHECK(law->alpha() == alpha);
+    // ln A to rounding, then over α.
+    CHECK(law->coefficient() == Approx(unit->law.coefficient() * mass * std::pow(tcol, alpha - 2)).epsilon(1e-14));
+    CHECK(collide(*law, {0.5, mass}).tcol == Approx(tcol).epsilon(1e-11));
+  }
+  // The elastic law has k alone; sqrt(k m) stands for c. And a c past every double is none.
+  const auto spring = Reduction<Fractional>::holding(8, Fractional(1, 1, 0), tcol, 2);
+  REQUIRE(spring);
+  CHECK(spring->c() == 4);
+  CHECK_FALSE(Reduction<Fractional>::holding(1e-300, Fractional(1, 1, 0.1), 1, 1));
+}

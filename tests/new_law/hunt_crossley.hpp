@@ -17,7 +17,7 @@ class HuntCrossley {
       {{"k", {4, 0, -8}, domains::positive}, {"c", {4, -4, -4}, domains::not_negative}}};
   static constexpr Ends ends{.overlap = true, .both_by_default = false};
 
-  HuntCrossley(double k, double c) : k_(k), c_(c) { require_parameters(parameters, values()); }
+  HuntCrossley(double k, double c) : k_(k), c_(c) { require_parameters<HuntCrossley>(values()); }
   std::array<double, 2> values() const noexcept { return {k_, c_}; }
   static HuntCrossley from(const std::array<double, 2>& values) { return {values[0], values[1]}; }
 

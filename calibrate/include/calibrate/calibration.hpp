@@ -55,7 +55,7 @@ struct Calibration {
   Collision achieved;                   ///< of `law`, by the numerical path; see `remarks`
   double tcol_residual, en_residual;    ///< (achieved − target)/target
   std::optional<double> tcol_estimate;  ///< fractional, ended by force: Eq. (57) [s]
-  Method method;                        ///< that found `law`: direct, too, where nlopt missed the tolerance
+  Method method;                        ///< that found `law`: direct, too, where nlopt was worse (see calibrate)
   std::string algorithm;                ///< NLopt's, or "bracketed root" or "closed form" of the direct reduction
   std::size_t evaluations;              ///< collisions that `method` tried
   Method cross_method;                  ///< the other one
@@ -89,7 +89,8 @@ class NotConverged : public std::runtime_error {
 /// scale off one collision. `nlopt` minimises ln²(t/t_col) + ln²(ln e/ln e_n) over the logarithms of the parameters,
 /// starting from parameters that are 1 in those units. The chosen one is answered, the other cross-checks it, and the
 /// answer is run through the numerical collision. Where nlopt was chosen and missed the tolerance, the answer is
-/// direct's.
+/// direct's; and also where it met the tolerance in e_n, but not in the parameters: close to e_n = 1 the rounding of a
+/// collision hides −ln e_n, with which they go, from a search.
 ///
 /// In exact arithmetic every e_n in (0, 1] can be reached. Infeasible are those to which the rounding of the parameters
 /// to doubles leaves a relative error above the tolerance (1e-16 L³, L = |ln e_n|, for linear by overlap, 1e-15 L³ for

@@ -97,7 +97,8 @@ class Steps {
 
 double position(const std::array<double, 3>& s) { return s[0]; }
 
-/// Notes the greatest overlap and force of the last step, if they lie in its first `limit`.
+/// Notes the greatest overlap and force of the last step, if they lie in its first `limit`: only what is in contact
+/// counts, though within one step, a small part of a collision, nothing greater comes past the end.
 template <class Motion>
 void note_extremes(Collision& out, const Motion& motion, Steps<Motion>& steps, double limit) {
   if (const auto peak = steps.fall([&](const auto& s) { return motion.force_slope(s); }, limit)) {

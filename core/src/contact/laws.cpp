@@ -7,12 +7,6 @@ namespace ricochet {
 
 static_assert(ContactLaw<Linear> && ContactLaw<KuwabaraKono> && ContactLaw<Tsuji> && ContactLaw<Hysteretic>);
 
-void require_parameters(std::span<const Parameter> parameters, std::span<const double> values) {
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (!parameters[i].domain.contains(values[i]))
-      support::reject(parameters[i].name, values[i], parameters[i].domain.accepted);
-}
-
 namespace {
 
 /// "s^2", "m^(1/2)": a power, of quarters > 0.
@@ -37,14 +31,10 @@ std::string unit_text(Dimension d) {
   return (above.empty() ? "1" : above) + "/" + (factors_below > 1 ? "(" + below + ")" : below);
 }
 
-Hysteretic::Hysteretic(double k1, double k2) : k1_(k1), k2_(k2) {
-  require_parameters(parameters, values());
-  support::require(k1 <= k2, "k1", k1, "at most k2");
-}
-
+// In the units of an impact k and c are one number.
 Fractional::Fractional(double k, double c, double alpha)
-    : k_(k), c_(c), alpha_(alpha), coefficient_(k * std::pow(c / k, alpha)) {
-  require_parameters(parameters, values());
+    : k_(k), c_(c), alpha_(alpha), coefficient_(c == k ? k : k * std::pow(c / k, alpha)) {
+  require_parameters<Fractional>(values());
 }
 
 std::optional<LawKind> LawKind::named(std::string_view name) noexcept {

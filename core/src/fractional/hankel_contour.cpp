@@ -94,12 +94,10 @@ const HankelContour& shared_contour(std::size_t n, std::integer_sequence<int, N.
 
 }  // namespace
 
-const HankelContour& contour_for(double b, std::unique_ptr<HankelContour>& own) {
-  constexpr int count = 30;
+const HankelContour& contour_for(double b) {
+  constexpr int count = 25;  // the last fits b up to (√2.5 + 0.4·24)² = 125
   const double n = std::max(0.0, std::ceil((std::sqrt(b) - first_root) / root_step));
-  if (n < count) return shared_contour(static_cast<std::size_t>(n), std::make_integer_sequence<int, count>{});
-  own = std::make_unique<HankelContour>(b);
-  return *own;
+  return shared_contour(static_cast<std::size_t>(n), std::make_integer_sequence<int, count>{});
 }
 
 Complex expm1(Complex z) {

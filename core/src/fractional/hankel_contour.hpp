@@ -3,7 +3,6 @@
 #include <array>
 #include <complex>
 #include <cstddef>
-#include <memory>
 
 namespace ricochet::fractional {
 
@@ -51,9 +50,8 @@ class HankelContour {
   std::array<ContourNodes, 2> nodes_{};
 };
 
-/// The contour for E_{a,b}: one shared by all b up to some limit, laid out once a process, or past b = 173 one put into
-/// `own`.
-const HankelContour& contour_for(double b, std::unique_ptr<HankelContour>& own);
+/// The contour for E_{a,b}, b ≤ 120: one shared by all b up to some limit, laid out once a process.
+const HankelContour& contour_for(double b);
 
 /// e^z − 1 without cancellation for small z.
 Complex expm1(Complex z);

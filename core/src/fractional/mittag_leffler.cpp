@@ -32,8 +32,7 @@ double mittag_leffler(double a, double b, double x) {
   require_argument(x);
   if (x == 0) return reciprocal_gamma(b);
   if (a == 2 && b == 3) return versine(x);
-  std::unique_ptr<HankelContour> own;
-  const HankelContour& contour = contour_for(b, own);
+  const HankelContour& contour = contour_for(b);
   const Poles poles(contour, a, x);
   const HankelContour::Grid grid = poles.grid(contour);
   const Form form = Form::choose(a, b, x);

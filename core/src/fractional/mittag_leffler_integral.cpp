@@ -147,7 +147,8 @@ Poles::Poles(const HankelContour& contour, double a, double x) : a_(a) {
   if (x > 0) {
     const double radius = pole_radius(a, x);
     add(contour, radius, 0, 1, 1);
-    if (a >= 2) add(contour, radius, 2 * pi / a, std::cos(2 * pi / a), 2);
+    // At a = 2 these meet on the cut, where their factor is 0.
+    if (a > 2) add(contour, radius, 2 * pi / a, std::cos(2 * pi / a), 2);
   } else if (x < 0 && a >= least_pole_order) {
     add(contour, pole_radius(a, x), pi / a, cosine_of_pole(a), 2);
   }

@@ -13,7 +13,7 @@ using std::numbers::pi;
 PreparedMittagLeffler::PreparedMittagLeffler(double a, double b)
     : a_(a),
       b_(b),
-      contour_(contour_for(b, own_)),
+      contour_(contour_for(b)),
       cosine_(cosine_of_pole(a)),
       sine_(std::sin(pi / a)),
       turn_((1 - b) * (pi / a)),

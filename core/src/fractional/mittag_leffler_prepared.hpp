@@ -4,7 +4,6 @@
 #include <ricochet/support/panel.hpp>
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -39,7 +38,6 @@ class PreparedMittagLeffler {
   };
 
   double a_, b_;
-  std::unique_ptr<HankelContour> own_;
   const HankelContour& contour_;
   std::array<double, 3> gamma_{};  // 1/Γ(b − ka)
   std::vector<FormNodes> forms_;

@@ -18,7 +18,10 @@ class Hysteretic {
   static constexpr Ends ends{.overlap = false, .both_by_default = false};
 
   /// 0 < k1 ≤ k2 [kg/s²]; throws std::invalid_argument otherwise.
-  Hysteretic(double k1, double k2);
+  Hysteretic(double k1, double k2) : k1_(k1), k2_(k2) {
+    require_parameters<Hysteretic>(values());
+    support::require(k1 <= k2, "k1", k1, "at most k2");
+  }
 
   double k1() const noexcept { return k1_; }
   double k2() const noexcept { return k2_; }

@@ -32,11 +32,19 @@ struct LawList {
 
   /// f(std::type_identity<Law>) of the law at `place` < size.
   template <class F>
-  static constexpr decltype(auto) at(std::size_t place, F&& f) {
-    using Result = std::common_type_t<decltype(f(std::type_identity<L>{}))...>;
-    constexpr std::array<Result (*)(F&), size> calls{+[](F& g) -> Result { return g(std::type_identity<L>{}); }...};
-    return calls[place](f);
+  static constexpr auto at(std::size_t place, const F& f) {
+    return calls<F>[place](f);
   }
+
+ private:
+  template <class F>
+  using ResultOf = std::common_type_t<std::invoke_result_t<const F&, std::type_identity<L>>...>;
+  template <class F, class Law>
+  static constexpr ResultOf<F> call(const F& f) {
+    return f(std::type_identity<Law>{});
+  }
+  template <class F>
+  static constexpr std::array<ResultOf<F> (*)(const F&), size> calls{&call<F, L>...};
 };
 
 /// The one list of laws. A new law is its header, its name here and its Reduction (collision/reduction.hpp); whatever
@@ -73,7 +81,7 @@ class LawKind {
 
   /// f(std::type_identity<Law>) of the law's type.
   template <class F>
-  constexpr decltype(auto) visit(F&& f) const {
+  constexpr auto visit(const F& f) const {
     return Laws::at(index_, f);
   }
 

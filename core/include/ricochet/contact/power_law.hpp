@@ -29,7 +29,7 @@ class PowerLaw {
   static constexpr double overdamped_from = Form::overdamped_from;
 
   /// k > 0, c ≥ 0, in the units of `parameters`; throws std::invalid_argument otherwise.
-  PowerLaw(double k, double c) : k_(k), c_(c) { require_parameters(parameters, values()); }
+  PowerLaw(double k, double c) : k_(k), c_(c) { require_parameters<PowerLaw>(values()); }
 
   double k() const noexcept { return k_; }
   double c() const noexcept { return c_; }
