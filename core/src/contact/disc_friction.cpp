@@ -61,7 +61,7 @@ constexpr Coefficients coefficients;
 
 // Σ c_n qⁿ, q ≤ 1/4, with no more terms than q needs.
 double sum(const Series& c, double q) noexcept {
-  const std::size_t needed = q < 1e-4 ? 5 : q < 0.02 ? 11 : terms;
+  const std::size_t needed = q < 1e-4 ? 5 : q < 0.02 ? 11 : q < 0.1 ? 17 : terms;
   double value = 0;
   for (std::size_t n = needed; n-- > 0;) value = value * q + c[n];
   return value;
