@@ -72,6 +72,7 @@ std::string spelled(const CsvColumn& column) {
 
 std::string list_of(std::span<const CsvColumn> columns) {
   std::vector<std::string> all;
+  all.reserve(columns.size());
   for (const CsvColumn& column : columns) all.push_back(spelled(column));
   return fmt::format("{}", fmt::join(all, ", "));
 }

@@ -37,6 +37,7 @@ std::string words_of(const Curve& curve, bool titled) {
 
 std::string words_of(const std::vector<Curve>& curves, bool titled) {
   std::vector<std::string> all;
+  all.reserve(curves.size());
   for (const Curve& curve : curves) all.push_back(words_of(curve, titled));
   return fmt::format("plot {}\n", fmt::join(all, ", \\\n  "));
 }

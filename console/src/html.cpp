@@ -31,6 +31,7 @@ std::string as_address(const std::string& svg) {
 
 std::string linked(const std::vector<HtmlLink>& links) {
   std::vector<std::string> all;
+  all.reserve(links.size());
   for (const HtmlLink& link : links)
     all.push_back(fmt::format(R"(<a href="{}">{}</a>)", escaped(link.address), escaped(link.text)));
   return fmt::format("{}", fmt::join(all, " · "));

@@ -48,6 +48,7 @@ const Material& material_of(const Node& node, const Materials& materials) {
   const auto found = materials.find(node.text());
   if (found != materials.end()) return found->second;
   std::vector<std::string_view> known;
+  known.reserve(materials.size());
   for (const auto& [name, material] : materials) known.push_back(name);
   node.reject(fmt::format("one of the materials {}", fmt::join(known, ", ")));
 }
