@@ -135,7 +135,8 @@ void check(Calibration& out, const Request& request, double tolerance) {
 /// such as the c that goes with the held k, is no normal double.
 std::optional<AnyLaw> in_si(const AnyLaw& scaled, const Target& target, double held) {
   if (const auto* fractional = std::get_if<Fractional>(&scaled))
-    return Reduction<Fractional>::holding(held, *fractional, target.tcol, target.impact.mass_eff);
+    return Reduction<Fractional>::holding(held, fractional->coefficient(), fractional->alpha(), target.tcol,
+                                          target.impact.mass_eff);
   return at_impact(scaled, target.tcol, target.impact);
 }
 

@@ -37,18 +37,17 @@ double loss_of(double en) { return 0 - std::log(en); }
 
 bool is_tabulated(double en) { return en == 1 || (en >= least_en && en <= greatest_en); }
 
-/// A law in the units of the target as a function of e_n, for many targets; nullopt where the slow way has to be gone.
-/// That is so for any law of which no more is known.
+/// A law's parameters in the units of the target as functions of e_n, for many targets; nullopt where the slow way has
+/// to be gone. That is so for any law of which no more is known.
 template <class Law>
 struct Tabulated {
-  std::optional<Law> operator()(double /*en*/, ContactEnd) { return std::nullopt; }
+  std::optional<ParameterValues<Law>> operator()(double /*en*/, ContactEnd) { return std::nullopt; }
 };
 
 template <>
 struct Tabulated<Hysteretic> {
-  std::optional<Hysteretic> operator()(double en, ContactEnd end) {
-    const auto unit = Reduction<Hysteretic>::unit(en, end);
-    return unit ? std::optional(unit->law) : std::nullopt;
+  std::optional<ParameterValues<Hysteretic>> operator()(double en, ContactEnd) {
+    return Reduction<Hysteretic>::unit_values(en);
   }
 };
 
@@ -57,15 +56,15 @@ struct Tabulated<PowerLaw<Form>> {
   using Law = PowerLaw<Form>;
   Lazy<ReductionTable<Law>> by_force, by_overlap;
 
-  std::optional<Law> operator()(double en, ContactEnd end) {
+  std::optional<ParameterValues<Law>> operator()(double en, ContactEnd end) {
     if (en < least_en) return std::nullopt;
     const double loss = loss_of(en);
     if constexpr (std::same_as<Law, Linear>)
-      if (end == ContactEnd::overlap) return Reduction<Law>::unit(en, end)->law;
+      if (end == ContactEnd::overlap) return Reduction<Law>::values_by_overlap(loss);
     if (!is_tabulated(en)) return std::nullopt;
     const auto& table = (end == ContactEnd::force ? by_force : by_overlap)(end);
-    if constexpr (std::same_as<Law, Linear>) return Law(table.stiffness(loss), 2 * loss);
-    return Law(table.stiffness(loss), table.damping(loss));
+    if constexpr (std::same_as<Law, Linear>) return ParameterValues<Law>{table.stiffness(loss), 2 * loss};
+    return ParameterValues<Law>{table.stiffness(loss), table.damping(loss)};
   }
 };
 
@@ -73,10 +72,10 @@ template <>
 struct Tabulated<Fractional> {
   Lazy<FractionalContactTable> table;
 
-  std::optional<Fractional> operator()(double en, ContactEnd end) {
+  std::optional<ParameterValues<Fractional>> operator()(double en, ContactEnd end) {
     if (end == ContactEnd::overlap || !is_tabulated(en) || en == 1) return std::nullopt;
     const auto contact = table()(en);
-    return Fractional(contact.z_star, contact.z_star, contact.alpha);
+    return ParameterValues<Fractional>{contact.z_star, contact.z_star, contact.alpha};
   }
 };
 
@@ -95,27 +94,22 @@ struct DirectCalibrator::Tables {
   /// nullopt where the tables do not reach, or a parameter is no normal double.
   std::optional<AnyLaw> operator()(const Request& request) {
     return request.law.visit([&]<class Law>(std::type_identity<Law>) -> std::optional<AnyLaw> {
-      const auto unit = std::get<Tabulated<Law>>(of_law)(request.target.en, request.end);
-      const auto law = unit ? in_si(*unit, request) : std::nullopt;
-      return law ? std::optional<AnyLaw>(*law) : std::nullopt;
+      const auto& [tcol, en, impact] = request.target;
+      const auto unit = std::get<Tabulated<Law>>(of_law)(en, request.end);
+      if (!unit) return std::nullopt;
+      if constexpr (std::same_as<Law, Fractional>) {
+        const double held = request.stiffness ? *request.stiffness : held_of_linear(request.target);
+        return Reduction<Law>::holding(held, unit->front(), unit->back(), tcol, impact.mass_eff);
+      } else {
+        return representable<Law>(collision::values_in_si<Law>(*unit, tcol, impact));
+      }
     });
-  }
-
-  template <class Law>
-  std::optional<Law> in_si(const Law& unit, const Request& request) {
-    return Reduction<Law>::in_si(unit, request.target.tcol, request.target.impact);
-  }
-
-  std::optional<Fractional> in_si(const Fractional& unit, const Request& request) {
-    const auto& [tcol, en, impact] = request.target;
-    const double held = request.stiffness ? *request.stiffness : held_of_linear(request.target);
-    return Reduction<Fractional>::holding(held, unit, tcol, impact.mass_eff);
   }
 
   /// k of the linear law that hits the target by force, what the paper gives the fractional law to hold.
   double held_of_linear(const Target& target) {
     const auto unit = std::get<Tabulated<Linear>>(of_law)(target.en, ContactEnd::force);
-    return unit->k() * target.impact.mass_eff / (target.tcol * target.tcol);
+    return unit->front() * target.impact.mass_eff / (target.tcol * target.tcol);
   }
 };
 

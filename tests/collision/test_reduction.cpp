@@ -144,7 +144,7 @@ TEST_CASE("a fractional law holds the k that is wanted, and collides the same", 
   REQUIRE(unit);
   const double tcol = 1e-4, mass = 7e-6, alpha = unit->law.alpha();
   for (const double k : {500.0, 5000.0, 5e5}) {
-    const auto law = Reduction<Fractional>::holding(k, unit->law, tcol, mass);
+    const auto law = Reduction<Fractional>::holding(k, unit->law.coefficient(), unit->law.alpha(), tcol, mass);
     REQUIRE(law);
     CHECK(law->k() == k);
     CHECK(law->alpha() == alpha);
@@ -153,8 +153,8 @@ TEST_CASE("a fractional law holds the k that is wanted, and collides the same", 
     CHECK(collide(*law, {0.5, mass}).tcol == Approx(tcol).epsilon(1e-11));
   }
   // The elastic law has k alone; sqrt(k m) stands for c. And a c past every double is none.
-  const auto spring = Reduction<Fractional>::holding(8, Fractional(1, 1, 0), tcol, 2);
+  const auto spring = Reduction<Fractional>::holding(8, 1, 0, tcol, 2);
   REQUIRE(spring);
   CHECK(spring->c() == 4);
-  CHECK_FALSE(Reduction<Fractional>::holding(1e-300, Fractional(1, 1, 0.1), 1, 1));
+  CHECK_FALSE(Reduction<Fractional>::holding(1e-300, 1, 0.1, 1, 1));
 }

@@ -70,7 +70,7 @@ std::optional<UnitLaw<PowerLaw<Form>>> Reduction<PowerLaw<Form>>::unit(double en
   if constexpr (std::same_as<Law, Linear>) {
     const double loss = 0 - std::log(en);  // not −0
     if (end == ContactEnd::overlap) {
-      const auto law = representable<Law>({std::numbers::pi * std::numbers::pi + loss * loss, 2 * loss});
+      const auto law = representable<Law>(Reduction::values_by_overlap(loss));
       return law ? std::optional(UnitLaw<Law>{*law, 0, true}) : std::nullopt;
     }
   }
@@ -90,9 +90,9 @@ Hysteretic Reduction<Hysteretic>::at(const Coordinates& x) {
 }
 
 std::optional<UnitLaw<Hysteretic>> Reduction<Hysteretic>::unit(double en, ContactEnd) {
-  const double root = 0.5 * std::numbers::pi * (1 + en), k1 = root * root, k2 = k1 / (en * en);
-  if (!std::isfinite(k2)) return std::nullopt;
-  return UnitLaw<Hysteretic>{{k1, k2}, 0, true};
+  const auto values = unit_values(en);
+  if (!std::isfinite(values[1])) return std::nullopt;
+  return UnitLaw<Hysteretic>{Hysteretic::from(values), 0, true};
 }
 
 namespace {
@@ -125,13 +125,13 @@ std::optional<Fractional> Reduction<Fractional>::in_si(const Fractional& unit, d
   return representable<Fractional>({coefficient, coefficient, unit.alpha()});
 }
 
-std::optional<Fractional> Reduction<Fractional>::holding(double k, const Fractional& unit, double tcol,
+std::optional<Fractional> Reduction<Fractional>::holding(double k, double coefficient, double alpha, double tcol,
                                                          double mass_eff) {
-  if (unit.alpha() == 0) return Fractional(k, std::sqrt(k * mass_eff), 0);
-  const double ratio = unit.coefficient() * mass_eff / (k * tcol * tcol);
-  const double c = k * tcol * std::exp(std::log(ratio) / unit.alpha());
+  if (alpha == 0) return Fractional(k, std::sqrt(k * mass_eff), 0);
+  const double ratio = coefficient * mass_eff / (k * tcol * tcol);
+  const double c = k * tcol * std::exp(std::log(ratio) / alpha);
   if (!std::isnormal(c)) return std::nullopt;
-  return Fractional(k, c, unit.alpha());
+  return Fractional(k, c, alpha);
 }
 
 AnyLaw scaled_law(LawKind kind, const Coordinates& x) {

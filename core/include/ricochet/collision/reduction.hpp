@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numbers>
 #include <optional>
 
 namespace ricochet {
@@ -127,6 +128,10 @@ struct Reduction<PowerLaw<Form>> : GenericReduction<PowerLaw<Form>> {
   using Law = PowerLaw<Form>;
 
   static std::optional<UnitLaw<Law>> unit(double en, ContactEnd end);
+  /// Of the linear law ended by overlap: k = π² + λ², c = 2λ with λ = −ln e_n, in the units of the impact.
+  static ParameterValues<Law> values_by_overlap(double loss) noexcept requires(Form::stiffness_quarters == 4) {
+    return {std::numbers::pi * std::numbers::pi + loss * loss, 2 * loss};
+  }
   /// By force none; by overlap that of a damping ratio close to 1, L = |ln e_n|.
   static double rounding_error(const Law&, ContactEnd end, double en) noexcept {
     const double loss = -std::log(en);
@@ -143,6 +148,10 @@ struct Reduction<Hysteretic> : GenericReduction<Hysteretic> {
   static Hysteretic at(const Coordinates& x);
   static Coordinates with_unit_tcol(double loss, double tcol) { return {2 * std::log(tcol), loss}; }
   static std::optional<UnitLaw<Hysteretic>> unit(double en, ContactEnd end);
+  static ParameterValues<Hysteretic> unit_values(double en) noexcept {
+    const double root = 0.5 * std::numbers::pi * (1 + en), k1 = root * root;
+    return {k1, k1 / (en * en)};
+  }
   static double numerical_error(ContactEnd, double) noexcept { return 1e-11; }
 };
 
@@ -162,9 +171,9 @@ struct Reduction<Fractional> : GenericReduction<Fractional> {
   static double numerical_error(ContactEnd end, double en) noexcept {
     return 1e-11 + (end == ContactEnd::force ? 1e-14 / en : 0);
   }
-  /// `in_si` with the k [kg/s²] that is wanted: c^α k^{1−α} = k (c/k)^α, solved for c. The elastic α = 0 leaves c free:
+  /// `in_si` with the k [kg/s²] that is wanted, from c^α k^{1−α} in the units of the impact: k (c/k)^α, solved for c. The elastic α = 0 leaves c free:
   /// √(k m) stands for it. nullopt where c is no normal double.
-  static std::optional<Fractional> holding(double k, const Fractional& unit, double tcol, double mass_eff);
+  static std::optional<Fractional> holding(double k, double coefficient, double alpha, double tcol, double mass_eff);
 };
 
 // The same of a law that is known only as one of the list.
