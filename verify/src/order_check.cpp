@@ -204,7 +204,7 @@ class OrderCheck : public Study {
   }
 
   std::string file_;
-  OrderClaim claim_{.stated = 0};
+  OrderClaim claim_;
   std::optional<Reference> reference_;
   std::string reference_word_;
 };

@@ -86,6 +86,7 @@ Table scheme_table(const std::vector<Convergence>& cases) {
   Table table(columns, fmt::format("{}: error and pairwise order", cases.front().statement.scheme));
   for (const std::string& function : functions_of(cases)) {
     std::vector<const Convergence*> row;
+    row.reserve(alphas.size());
     for (const double alpha : alphas) row.push_back(find(cases, function, alpha));
     add_function(table, function, row);
   }

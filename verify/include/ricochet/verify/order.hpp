@@ -21,7 +21,7 @@ namespace ricochet::verify {
 /// What a scheme is said to do: error ~ C h^stated. Judged from both sides, because a scheme that beats its stated
 /// order is mislabelled.
 struct OrderClaim {
-  double stated;            ///< > 0
+  double stated = 0;        ///< > 0, must be given
   double allowed = 0.1;     ///< > 0: of |observed − stated|
   double rounding = 1e-10;  ///< ≥ 0: greatest error that rounding may make. @@
 };
