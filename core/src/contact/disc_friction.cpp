@@ -13,8 +13,8 @@ struct Elliptic {
 };
 
 // K and E of modulus 0 ≤ k < 1 together by Gauss's arithmetic-geometric mean: K = π/(2 agm(1, k')),
-// E = K (1 − Σ 2^{n−1} c_n²), c_0 = k. By hand because one mean gives both: 50 ns, where Boost's R_F and R_G take 210 and
-// GSL's Carlson forms 700, with which a contact-step that slides and spins cost a quarter and three quarters more.
+// E = K (1 − Σ 2^{n−1} c_n²), c_0 = k. By hand because one mean gives both: 50 ns, where Boost's R_F and R_G take 210
+// and GSL's Carlson forms 700, with which a contact-step that slides and spins cost a quarter and three quarters more.
 Elliptic elliptic(double modulus) noexcept {
   double a = 1, b = std::sqrt((1 - modulus) * (1 + modulus)), sum = 0.5 * modulus * modulus, weight = 1;
   for (int n = 0; n < 8 && a - b > 1e-8 * a; ++n, weight *= 2) {

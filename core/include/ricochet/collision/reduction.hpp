@@ -12,8 +12,8 @@
 
 namespace ricochet {
 
-/// Where a law stands in the units of its impact (mass and velocity 1), as two numbers that a search may move freely: the
-/// logarithm of its stiffness and a logarithmic measure of its loss, −∞ of which is the elastic law.
+/// Where a law stands in the units of its impact (mass and velocity 1), as two numbers that a search may move freely:
+/// the logarithm of its stiffness and a logarithmic measure of its loss, −∞ of which is the elastic law.
 struct Coordinates {
   double scale, loss;
 };
@@ -60,8 +60,8 @@ ParameterValues<Law> values_in_si(ParameterValues<Law> values, double tcol, cons
 /// they go over into SI. Search, tables, fits, exports and engines all ask here.
 ///
 /// This is the reduction of any law whose first parameter is its stiffness, whose second is what loses energy (0: an
-/// elastic contact), and whose others, if any, keep the values of `Law::held`, by `collide` alone. A law of which more is
-/// known specialises it, and may keep of it what fits.
+/// elastic contact), and whose others, if any, keep the values of `Law::held`, by `collide` alone. A law of which more
+/// is known specialises it, and may keep of it what fits.
 template <DescribedLaw Law>
 struct GenericReduction {
   /// The law at `x`, in the units of the impact: parameters e^scale, e^loss.
@@ -76,7 +76,8 @@ struct GenericReduction {
     return {slowing(0) * std::log(tcol), loss + slowing(1) * std::log(tcol)};
   }
 
-  /// The law that keeps `en`, brought to the collision time 1. nullopt where no loss does or a double does not carry it.
+  /// The law that keeps `en`, brought to the collision time 1. nullopt where no loss does or a double does not carry
+  /// it.
   static std::optional<UnitLaw<Law>> unit(double en, ContactEnd end) {
     if (en == 1) return unit_at(0, end, {0, false});
     const auto found = collision::find_loss([&](double loss) { return collide(at({0, loss}), {1, 1}, {end}); }, en);
@@ -155,8 +156,8 @@ struct Reduction<Hysteretic> : GenericReduction<Hysteretic> {
   static double numerical_error(ContactEnd, double) noexcept { return 1e-11; }
 };
 
-/// Only α and c^α k^{1−α} are determined: k and c are both that number in the units of the impact, until `holding` gives
-/// k a value. Coordinates: ln c^α k^{1−α}, ln(α/(1−α)).
+/// Only α and c^α k^{1−α} are determined: k and c are both that number in the units of the impact, until `holding`
+/// gives k a value. Coordinates: ln c^α k^{1−α}, ln(α/(1−α)).
 template <>
 struct Reduction<Fractional> : GenericReduction<Fractional> {
   static Fractional at(const Coordinates& x);
@@ -171,8 +172,8 @@ struct Reduction<Fractional> : GenericReduction<Fractional> {
   static double numerical_error(ContactEnd end, double en) noexcept {
     return 1e-11 + (end == ContactEnd::force ? 1e-14 / en : 0);
   }
-  /// `in_si` with the k [kg/s²] that is wanted, from c^α k^{1−α} in the units of the impact: k (c/k)^α, solved for c. The elastic α = 0 leaves c free:
-  /// √(k m) stands for it. nullopt where c is no normal double.
+  /// `in_si` with the k [kg/s²] that is wanted, from c^α k^{1−α} in the units of the impact: k (c/k)^α, solved for c.
+  /// The elastic α = 0 leaves c free: √(k m) stands for it. nullopt where c is no normal double.
   static std::optional<Fractional> holding(double k, double coefficient, double alpha, double tcol, double mass_eff);
 };
 
@@ -182,9 +183,9 @@ struct Reduction<Fractional> : GenericReduction<Fractional> {
 AnyLaw scaled_law(LawKind kind, const Coordinates& x);
 Coordinates with_unit_tcol(LawKind kind, double loss, double tcol);
 
-/// The law of that kind that keeps e_n. Each kind has one dimensionless group that sets e_n and a scale that sets t_col. In
-/// exact arithmetic each reaches every e_n in (0, 1]. nullopt where a double cannot carry it: a parameter is no normal
-/// double, a collision out of range, or fractional with e_n < 1e-15 (by overlap 1e-6).
+/// The law of that kind that keeps e_n. Each kind has one dimensionless group that sets e_n and a scale that sets
+/// t_col. In exact arithmetic each reaches every e_n in (0, 1]. nullopt where a double cannot carry it: a parameter is
+/// no normal double, a collision out of range, or fractional with e_n < 1e-15 (by overlap 1e-6).
 /// Throws std::invalid_argument unless 0 < en ≤ 1 and the kind ends so.
 std::optional<UnitLaw<AnyLaw>> unit_law(LawKind kind, double en, ContactEnd end);
 
@@ -197,8 +198,8 @@ double rounding_error(const AnyLaw& unit_law, ContactEnd end, double en);
 double numerical_error(LawKind kind, ContactEnd end, double en);
 
 /// The law of that kind whose binary collision takes `tcol` [s] and keeps `en` of the velocity, at the given impact and
-/// end: the first guess-free step of any study that compares laws at equal (t_col, e_n). Of the fractional law only α and
-/// c^α k^{1−α} are determined; c = k in number here. Elastic contacts are left out.
+/// end: the first guess-free step of any study that compares laws at equal (t_col, e_n). Of the fractional law only α
+/// and c^α k^{1−α} are determined; c = k in number here. Elastic contacts are left out.
 /// Throws std::invalid_argument unless tcol > 0, 1e-3 ≤ en < 1, and the kind ends so; std::overflow_error where a
 /// parameter is no normal double.
 AnyLaw tuned_law(LawKind kind, double tcol, double en, const Impact& impact, ContactEnd end = ContactEnd::force);

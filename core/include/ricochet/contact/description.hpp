@@ -92,8 +92,8 @@ void require_parameters(const ParameterValues<Law>& values) {
   (std::make_index_sequence<Law::parameters.size()>{});
 }
 
-/// The law of these values, or nothing where one of them is no number that a double carries with all its digits: neither
-/// normal nor a 0 that its domain admits.
+/// The law of these values, or nothing where one of them is no number that a double carries with all its digits:
+/// neither normal nor a 0 that its domain admits.
 template <DescribedLaw Law>
 std::optional<Law> representable(const ParameterValues<Law>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {

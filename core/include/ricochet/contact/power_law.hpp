@@ -8,11 +8,11 @@
 
 namespace ricochet {
 
-/// A spring and a dashpot that follow powers of the overlap, R = kζ^P + cζ^Q ζ'. ζ < 0 counts as no overlap where P or Q
-/// is a fraction. `Form` is one of the structs below.
+/// A spring and a dashpot that follow powers of the overlap, R = kζ^P + cζ^Q ζ'. ζ < 0 counts as no overlap where P or
+/// Q is a fraction. `Form` is one of the structs below.
 ///
-/// With the units of an impact, time T and length v₀T with k v₀^{P−1} T^{P+1} = m, all that is left of the parameters is
-/// the group γ = c v₀^Q T^{Q+1}/m, so that e_n depends on γ alone.
+/// With the units of an impact, time T and length v₀T with k v₀^{P−1} T^{P+1} = m, all that is left of the parameters
+/// is the group γ = c v₀^Q T^{Q+1}/m, so that e_n depends on γ alone.
 template <class Form>
 class PowerLaw {
  public:
@@ -104,8 +104,8 @@ struct LinearForm {
 };
 using Linear = PowerLaw<LinearForm>;
 
-/// Hertzian spring with the viscous term of Kuwabara and Kono, the paper's "nonlinear" law: R = kζ^{3/2} + cζ^{1/2}ζ'. Its
-/// damping grows weak as ζ → 0, so its overlap always returns, but slowly: it is calibrated by force alone.
+/// Hertzian spring with the viscous term of Kuwabara and Kono, the paper's "nonlinear" law: R = kζ^{3/2} + cζ^{1/2}ζ'.
+/// Its damping grows weak as ζ → 0, so its overlap always returns, but slowly: it is calibrated by force alone.
 struct KuwabaraKonoForm {
   static constexpr std::string_view name = "kuwabara-kono", loss_name = "c k^(-3/5) m^(-2/5)",
                                     loss_unit = "(s/m)^(1/5)";
@@ -115,9 +115,9 @@ struct KuwabaraKonoForm {
 };
 using KuwabaraKono = PowerLaw<KuwabaraKonoForm>;
 
-/// Hertzian spring with the dashpot of Tsuji, Tanaka and Ishida (Powder Technol. 71, 239 (1992)), whose restitution does
-/// not depend on the impact velocity: R = kζ^{3/2} + cζ^{1/4}ζ'. What LAMMPS, LIGGGHTS and MercuryDPM call Hertz with
-/// constant restitution. In ζ^{5/4} it is the damped oscillator again, overdamped from γ = √5 on.
+/// Hertzian spring with the dashpot of Tsuji, Tanaka and Ishida (Powder Technol. 71, 239 (1992)), whose restitution
+/// does not depend on the impact velocity: R = kζ^{3/2} + cζ^{1/4}ζ'. What LAMMPS, LIGGGHTS and MercuryDPM call Hertz
+/// with constant restitution. In ζ^{5/4} it is the damped oscillator again, overdamped from γ = √5 on.
 struct TsujiForm {
   static constexpr std::string_view name = "tsuji", loss_name = "damping ratio c/sqrt(5 m k)", loss_unit{};
   static constexpr int stiffness_quarters = 6, damping_quarters = 1;

@@ -67,8 +67,8 @@ struct StiffestContact {
 /// so linear in their number while these are few). Impact velocity: the fastest that two bodies of the setup approach
 /// each other, gravity having acted over the greatest radius. Durations: (57) for the fractional law, for the others
 /// that without damping, or ten damping times m/c where these are shorter (in the Hertzian laws cζ^p for c, at a ζ that
-/// neither spring nor dashpot would let pass): an overdamped contact is over long before its spring has swung. For a law of
-/// your own π m v over its greatest force.
+/// neither spring nor dashpot would let pass): an overdamped contact is over long before its spring has swung. For a
+/// law of your own π m v over its greatest force.
 StiffestContact stiffest_contact(const ClusterSetup& setup);
 
 /// Throws std::invalid_argument naming what is wrong: a radius, density or number that is not finite or not positive, a

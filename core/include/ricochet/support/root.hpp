@@ -20,8 +20,8 @@ struct RootTolerance {
 
 /// The last bracket {low', high'} around a root of f in [low, high], low < high, given at_low = f(low) and
 /// at_high = f(high). f is continuous there and the two values have opposite signs; it is evaluated inside the bracket
-/// only, so either may be a finite limit that f itself cannot be asked for. A value 0 is the root: both ends are then the
-/// same. Throws std::invalid_argument if the signs are equal or one value is NaN.
+/// only, so either may be a finite limit that f itself cannot be asked for. A value 0 is the root: both ends are then
+/// the same. Throws std::invalid_argument if the signs are equal or one value is NaN.
 ///
 /// Algorithm 748 (Alefeld, Potra & Shi, ACM Trans. Math. Softw. 21, 1995, 327) as Boost.Math has it: of order 1.6 an
 /// evaluation at a simple root, some ten evaluations; at worst about three times bisection's.
