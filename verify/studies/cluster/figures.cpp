@@ -73,10 +73,10 @@ std::string last_speed(const Run& run) {
 
 /// One quantity of sphere 1, less `from`, for both runs.
 struct Panel {
-  const char* label;
-  std::array<const char*, 3> names;
-  Vec3 from;
-  int first;
+  const char* label = "";
+  std::array<const char*, 3> names{};
+  Vec3 from{};
+  int first = 0;
 };
 
 std::string plot(const Panel& panel) {

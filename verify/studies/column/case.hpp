@@ -24,9 +24,9 @@ struct ColumnCase {
 
 /// A law as Fig. 6 names it.
 struct ColumnLaw {
-  const char* id;
-  LawKind kind;
-  ContactEnd end;
+  const char* id = "";
+  LawKind kind{};
+  ContactEnd end = ContactEnd::force;
 };
 
 /// linear1, linear2, kuwabara-kono, tsuji, hysteretic, fractional.
