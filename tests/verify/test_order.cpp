@@ -70,6 +70,18 @@ TEST_CASE("rounding at the fine end is found, said and left out") {
   CHECK(o.said.find("near the floor") != std::string::npos);
 }
 
+TEST_CASE("coarse meshes whose errors fall unevenly do not hide the floor of rounding") {
+  // h⁴ − 40 h⁶ changes its sign at h = 0.158: uneven, but far above rounding.
+  std::mt19937_64 random(2004);
+  std::normal_distribution<double> noise(0, 1e-13);
+  const auto error = [&](double h) { return std::pow(h, 4) - 40 * std::pow(h, 6) + noise(random); };
+  const ObservedOrder o = observe_order(error, refined(0.4, 13), {.stated = 4});
+  CHECK(o.verdict == Verdict::confirmed);
+  CHECK(o.floor > 2e-14);
+  CHECK(o.floor < 5e-13);
+  CHECK(o.first > 0);
+}
+
 TEST_CASE("errors that stop falling above what rounding may make are the scheme's own") {
   const auto plateau = [](double h) { return h * h + 1e-6; };
   CHECK(observe_order(plateau, refined(0.1, 12), {.stated = 2}).verdict == Verdict::lower);
@@ -194,6 +206,17 @@ TEST_CASE("verify order: exit codes and JSON") {
   CHECK(run(second_order, {"--stated", "1.85"}).code == 1);
   CHECK(run(second_order, {"--stated", "2.15"}).code == 1);
   CHECK(run(second_order, {"--stated", "2.15", "--allowed", "0.2"}).code == 0);
+}
+
+TEST_CASE("verify order: an order that has not settled fails, although it is the stated one") {
+  // Pairwise orders 2.3 and 1.7.
+  const char* unsettled = "h,error\n1,1\n0.5,0.20306309908\n0.25,0.0625\n";
+  const Ran ran = run(unsettled, {"--stated", "2", "--format", "json"});
+  CHECK(ran.code == 1);
+  const auto gate = console::Json::parse(ran.out)["gates"][0];
+  CHECK(gate["name"] == "data: uncertainty of the order");
+  CHECK(double(gate["value"]) == Approx(0.3).epsilon(1e-6));
+  CHECK(run(unsettled, {"--stated", "2", "--allowed", "0.31"}).code == 0);
 }
 
 TEST_CASE("verify order: CSV and JUnit") {
