@@ -69,8 +69,8 @@ std::string one_row(const Table& table, std::size_t row, const std::vector<std::
     const bool raw = i == 0 && !view.raw_first.empty();
     const std::string cell =
         raw ? view.raw_first[row] : escaped(shown(table.rows()[row][i], table.columns()[i].notation));
-    html += i == 0 ? fmt::format(R"(<th scope="row"{}>{}</th>)", classes[i], cell)
-                   : fmt::format("<td{}>{}</td>", classes[i], cell);
+    html += i == 0 && !cell.empty() ? fmt::format(R"(<th scope="row"{}>{}</th>)", classes[i], cell)
+                                    : fmt::format("<td{}>{}</td>", classes[i], cell);
   }
   return html + "</tr>\n";
 }
@@ -79,7 +79,7 @@ std::string rows_of(const Table& table, const TableView& view, std::size_t first
                     const std::vector<std::string>& classes) {
   const bool part = first > 0;
   std::string html =
-      fmt::format(R"(<div class="scroll" tabindex="0" role="region" aria-labelledby="{id}">
+      fmt::format(R"(<div class="scroll" tabindex="0" role="group" aria-labelledby="{id}">
 <table><caption id="{id}">{caption}{rows}</caption>
 {head}<tbody>
 )",
