@@ -1,7 +1,5 @@
 #include <ricochet/collision/reduction.hpp>
 
-#include "damped_power.hpp"
-
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/support/require.hpp>
@@ -56,13 +54,6 @@ std::optional<LossFound> find_loss(const std::function<Collision(double)>& colli
 }
 
 }  // namespace collision
-
-template <class Form>
-double Reduction<PowerLaw<Form>>::group(const Law& law, const Impact& impact) noexcept {
-  using Motion = collision::MotionOf<Form>;
-  const double unit = collision::time_unit<Motion>(law.k(), impact.velocity, impact.mass_eff);
-  return collision::damping_group<Motion>(law.c(), impact.velocity, impact.mass_eff, unit);
-}
 
 template <class Form>
 std::optional<UnitLaw<PowerLaw<Form>>> Reduction<PowerLaw<Form>>::unit(double en, ContactEnd end) {

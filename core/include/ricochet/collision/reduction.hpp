@@ -139,8 +139,6 @@ struct Reduction<PowerLaw<Form>> : GenericReduction<PowerLaw<Form>> {
     return end == ContactEnd::force ? 0 : (Form::damping_quarters == 0 ? 1e-16 : 1e-15) * loss * loss * loss;
   }
   static double numerical_error(ContactEnd, double) noexcept { return 1e-11; }
-  /// γ of a law at an impact.
-  static double group(const Law& law, const Impact& impact) noexcept;
 };
 
 /// e_n = √(k₁/k₂), t_col = (π/2) √(m/k₁) (1 + e_n). Coordinates: ln k₁, ln(k₂/k₁ − 1).
