@@ -4,6 +4,7 @@
 #include "state_file.hpp"
 
 #include <console/exit.hpp>
+#include <console/input.hpp>
 #include <console/number.hpp>
 #include <console/output.hpp>
 #include <console/progress.hpp>
@@ -14,23 +15,13 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 namespace ricochet::simulate {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-std::string read_all(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw console::BadInput(path + ": cannot read; must be there to --resume from");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// Below it, what the memory of a fractional contact leaves out is small against what the time steps do.
 constexpr double unspoken_kernel_error = 1e-6;
@@ -143,7 +134,7 @@ int run(const Scene& scene, const std::string& folder, bool resume, const std::f
     if (error) throw console::BadInput(fmt::format("-o {}: cannot be made: {}", folder, error.message()));
     return Run(scene, std::move(cluster), folder, {}).go(begun);
   }
-  const Checkpoint from = read_checkpoint(state, read_all(state), scene);
+  const Checkpoint from = read_checkpoint(state, console::read_input(state), scene);
   if (from.complete) return 0;
   return Run(scene, prepared(scene), folder, from).go(begun);
 }

@@ -57,6 +57,16 @@ std::string complaint(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("brackets in brackets end somewhere, whatever they are in") {
+  const auto nested = [](std::size_t depth) {
+    return with("\"duration\": 0.01", "\"duration\": " + std::string(depth, '[') + std::string(depth, ']'));
+  };
+  CHECK(placed_complaint(nested(100'000)) == "s.json:2:78: brackets in more than 64 brackets; must be fewer");
+  CHECK(placed_complaint(nested(63)).find("/duration = [[[") != std::string::npos);
+  CHECK(placed_complaint(with("\"duration\"",
+                              "\"title\": \"" + std::string(1'000'000, '[') + "\\\"[\", \"duration\"")) == "accepted");
+}
+
 TEST_CASE("a scene is read with its defaults and a step that resolves the stiffest contact") {
   const Scene scene = read_scene("s.json", good);
   CHECK(scene.setup.spheres.size() == 2);
