@@ -20,6 +20,7 @@ void announce(const simulate::Scene& scene) {
   console::complain("simulate", fmt::format("{} spheres, {} walls, {} steps of {} s{}", scene.setup.spheres.size(),
                                             scene.setup.walls.size(), scene.steps,
                                             console::significant(scene.options.step, 4), shortest));
+  if (!scene.remark.empty()) console::complain("simulate", scene.remark);
 }
 
 }  // namespace

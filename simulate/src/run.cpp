@@ -76,9 +76,23 @@ class Run {
       throw console::Failed(
           fmt::format("t = {} s: the motion is no longer finite; a smaller \"step\" is needed. All before is written",
                       console::significant(cluster_.time(), 6)));
+    if (const auto through = cluster_.breakthrough()) report(*through);
     for (const Encounter& e : cluster_.take_finished()) contacts_.append(contact_row(scene_, e));
     const std::uint64_t done = cluster_.steps();
     if (done % scene_.output_every == 0 || done == scene_.steps) output();
+  }
+
+  [[noreturn]] void report(const Breakthrough& through) const {
+    const auto& [i, j, speed] = through;
+    const std::string what =
+        i == j ? fmt::format("body {} moves by more than its radius in a step, at {} m/s: a smaller \"step\" is needed",
+                             scene_.body_names[i], console::significant(speed, 3))
+               : fmt::format(
+                     "bodies {} and {} have gone into each other by more than {} radii, at {} m/s: a stiffer "
+                     "law, or slower bodies, are needed",
+                     scene_.body_names[i], scene_.body_names[j], Breakthrough::share, console::significant(speed, 3));
+    throw console::Failed(
+        fmt::format("t = {} s: {}. All before is written", console::significant(cluster_.time(), 6), what));
   }
 
   void report_kernel() const {

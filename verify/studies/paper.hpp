@@ -85,7 +85,7 @@ struct FiveSpheres {
                              {0.009, 1000, {-0.001, 0.1, 0.18}}}};
   double k = 1000, c = 1;
   double strong_alpha = 0.01, weak_alpha = 0.97;
-  double mu_static = 0.5, mu_dynamic = 0.5, decay = 0;
+  double mu_static = 0.5, mu_dynamic = 0.5, decay = 0, rolling_arm = 1;
 };
 inline constexpr FiveSpheres five_spheres;
 

@@ -18,7 +18,8 @@ ClusterSetup five_spheres(double alpha, double k) {
     setup.spheres.push_back({ball.radius, ball.density, {x, y, z}, {0, 0, ball.velocity_z}, {}, 0});
   }
   setup.interactions.insert(
-      {{0, 0}, {Fractional(k, five.c, alpha), Friction(five.mu_static, five.mu_dynamic, five.decay)}});
+      {{0, 0},
+       {Fractional(k, five.c, alpha), Friction(five.mu_static, five.mu_dynamic, five.decay, five.rolling_arm)}});
   return setup;
 }
 
