@@ -25,7 +25,8 @@ class StopOnSignal {
   std::array<struct sigaction, stopping_signals> before_{};
 };
 
-/// Holds every signal that ends a program back until the end of the scope: for files that are put in their places together.
+/// Holds every signal that ends a program back until the end of the scope: for files that are put in their places
+/// together.
 class SignalsHeld {
  public:
   SignalsHeld() noexcept;
