@@ -44,8 +44,9 @@ int main(int argc, char** argv) {
     const simulate::Scene scene = simulate::read_scene(file, console::read_input(file));
     const int signal = simulate::run(scene, folder, resume, [&] { announce(scene); });
     if (signal == 0) return console::Exit::done;
-    console::complain("simulate",
-                      fmt::format("stopped, all written; go on with: simulate {} -o {} --resume", file, folder));
+    console::complain("simulate", fmt::format("stopped, all written; go on with: {} {} -o {} --resume",
+                                              console::run_as(app.get_name()), console::shell_word(file),
+                                              console::shell_word(folder)));
     console::end_by(signal);
   });
 }

@@ -15,8 +15,11 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <map>
+#include <system_error>
 
 namespace ricochet::console {
 
@@ -108,6 +111,19 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
   return add_any_number(app, name, target, description);
 }
 
+std::string run_as(const std::string& program) {
+  const char* const script = std::getenv("RICOCHET_RUN_BY");
+  return script ? fmt::format("{} {}", shell_word(script), program) : program;
+}
+
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789%+,-./:=@_";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) c == '\'' ? word += "'\\''" : word += c;
+  return word + "'";
+}
+
 int run_program(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body) {
   occupy_standard_descriptors();
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
@@ -118,6 +134,10 @@ int run_program(CLI::App& app, int argc, const char* const* argv, const std::fun
     return static_cast<int>(Exit::bad_input);
   } catch (const std::bad_alloc&) {
     complain(app.get_name(), "out of memory");
+  } catch (const std::filesystem::filesystem_error& error) {
+    complain(app.get_name(), error.what());
+  } catch (const std::system_error& error) {  // of threads alone: std::thread says no more than why
+    complain(app.get_name(), fmt::format("cannot start a thread: {}", error.code().message()));
   } catch (const std::exception& error) {
     complain(app.get_name(), error.what());
     return static_cast<int>(exit_code(error));

@@ -143,6 +143,10 @@ int run(const Scene& scene, const std::string& folder, bool resume, const std::f
     if (fs::exists(state, error))
       throw console::BadInput(
           fmt::format("-o {}: holds a run already; --resume goes on with it, another folder starts anew", folder));
+    for (const char* const name : {"trajectory.xyz", "contacts.csv", "energy.csv"})
+      if (fs::exists(fs::path(folder) / name, error))
+        throw console::BadInput(
+            fmt::format("-o {}: holds {} without the state.json of a run; another folder keeps it", folder, name));
     Cluster cluster = prepared(scene);
     fs::create_directories(folder, error);
     if (error) throw console::BadInput(fmt::format("-o {}: cannot be made: {}", folder, error.message()));

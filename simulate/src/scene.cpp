@@ -188,7 +188,7 @@ void choose_step(const Node& root, Scene& scene) {
     if (step > interval) root.at("step").reject(fmt::format("at most the output interval, {} s", shortest(interval)));
     if (tcol > 0 && step > tcol / least_steps_per_collision)
       root.at("step").reject(fmt::format("at most {} s, a 20th of the {} s that {} and {} collide",
-                                         significant(tcol / least_steps_per_collision, 3), significant(tcol, 3),
+                                         shortest(tcol / least_steps_per_collision), significant(tcol, 3),
                                          body(scene, scene.stiffest.i), body(scene, scene.stiffest.j)));
   }
   const double per_output = std::ceil(interval / step * (1 - 1e-12));

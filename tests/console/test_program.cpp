@@ -13,7 +13,10 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <iostream>
+#include <system_error>
 
 using namespace ricochet::console;
 
@@ -126,6 +129,10 @@ TEST_CASE("a program of several commands names what was typed and what there is"
 
 TEST_CASE("exceptions become exit codes") {
   CHECK(run({}, [] { return Exit::gate_failed; }).code == 1);
+  const Ran no_thread = run(
+      {}, []() -> Exit { throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)); });
+  CHECK(no_thread.code == 4);
+  CHECK(no_thread.err == "try: cannot start a thread: Resource temporarily unavailable\n");
   CHECK(run({}, []() -> Exit { throw BadInput("scene.json:3", "x", "a number"); }).err ==
         "try: scene.json:3 = x: must be a number\n");
   CHECK(run({}, []() -> Exit { throw Unreachable("en >= 0.2 only"); }).code == 3);
@@ -152,4 +159,19 @@ TEST_CASE("a closed pipe and a full device are exit code 4 with one line") {
   };
   CHECK(run({}, by_stream, full).code == 4);
   ::close(full);
+}
+
+TEST_CASE("a hint names the command that was run, and its words as a shell reads them") {
+  CHECK(run_as("simulate") == "simulate");
+  ::setenv("RICOCHET_RUN_BY", "./ricochet", 1);
+  CHECK(run_as("simulate") == "./ricochet simulate");
+  ::unsetenv("RICOCHET_RUN_BY");
+  CHECK(shell_word("data/scenes/five-spheres_1.json") == "data/scenes/five-spheres_1.json");
+  for (const std::string text : {"", "two words", "it's", "$HOME;`x`\"*"}) {
+    FILE* const shell = ::popen(("printf %s " + shell_word(text)).c_str(), "r");
+    std::array<char, 64> said{};
+    const std::size_t length = std::fread(said.data(), 1, said.size(), shell);
+    ::pclose(shell);
+    CHECK(std::string(said.data(), length) == text);
+  }
 }
