@@ -46,7 +46,7 @@ int column(int sphere, int quantity) { return 2 + 9 * (sphere - 1) + quantity; }
 
 DataFile circles(const Run& run) {
   std::string csv = "y [m],z [m],r [m],sphere\n";
-  const ClusterSetup setup = five_spheres(run.alpha, run.k);
+  const ClusterSetup setup = five_spheres(run.law);
   for (std::size_t i = 0; i < 5; ++i)
     csv += fmt::format("{},{},{},{}\n", shortest(setup.spheres[i].position.y), shortest(setup.spheres[i].position.z),
                        shortest(setup.spheres[i].radius), i + 1);
@@ -187,7 +187,7 @@ Figure binary(const std::vector<Run>& strong, const std::vector<Run>& weak, doub
   std::string csv = "k [kg/s^2],shared strong,pairs strong,shared weak,pairs weak\n";
   for (std::size_t n = 0; n < strong.size(); ++n) {
     const Overlap s = overlap(strong[n].collisions, until), w = overlap(weak[n].collisions, until);
-    csv += fmt::format("{},{},{},{},{}\n", shortest(strong[n].k), shortest(s.shared), shortest(s.mean_pairs),
+    csv += fmt::format("{},{},{},{},{}\n", shortest(strong[n].law.k), shortest(s.shared), shortest(s.mean_pairs),
                        shortest(w.shared), shortest(w.mean_pairs));
   }
   const auto shared = [until](const Run& run) { return 100 * overlap(run.collisions, until).shared; };

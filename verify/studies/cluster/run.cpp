@@ -1,7 +1,5 @@
 #include "run.hpp"
 
-#include "../paper.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 
 namespace ricochet::verify::cluster {
 
-ClusterSetup five_spheres(double alpha, double k) {
+ClusterSetup five_spheres(Choice choice) {
   constexpr paper::FiveSpheres five = paper::five_spheres;
   ClusterSetup setup;
   for (const auto& ball : five.balls) {
@@ -18,7 +16,7 @@ ClusterSetup five_spheres(double alpha, double k) {
     setup.spheres.push_back({ball.radius, ball.density, {x, y, z}, {0, 0, ball.velocity_z}, {}, 0});
   }
   setup.interactions.insert(
-      {{0, 0}, {Fractional(k, five.c, alpha), Friction(five.mu_static, five.mu_dynamic, five.decay)}});
+      {{0, 0}, {Fractional(choice.k, choice.c, choice.alpha), Friction(five.mu_static, five.mu_dynamic, five.decay)}});
   return setup;
 }
 
@@ -62,14 +60,14 @@ class Watch {
 
 }  // namespace
 
-Run run(double alpha, double k, double duration, double step, double sample_interval) {
+Run run(Choice choice, double duration, double step, double sample_interval) {
   const auto every = static_cast<std::uint64_t>(std::ceil(sample_interval / step - 1e-9));
   const double h = sample_interval / static_cast<double>(every);
-  const ClusterSetup setup = five_spheres(alpha, k);
+  const ClusterSetup setup = five_spheres(choice);
   // No contact outlasts the run; the kernel reaches as far.
   ricochet::Cluster cluster(setup,
                             {.step = h, .longest_contact = std::min(duration, 4e5 * h), .solver_tolerance = 1e-13});
-  Run run{.alpha = alpha, .k = k, .step = h, .samples = {sample(cluster)}, .collisions = {}};
+  Run run{.law = choice, .step = h, .samples = {sample(cluster)}, .collisions = {}};
   Watch watch(cluster, setup);
   const auto steps = static_cast<std::uint64_t>(std::llround(duration / h));
   for (std::uint64_t n = 1; n <= steps; ++n) {

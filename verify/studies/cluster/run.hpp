@@ -1,5 +1,7 @@
 #pragma once
 
+#include "../paper.hpp"
+
 #include <ricochet/motion/cluster.hpp>
 
 #include <array>
@@ -8,8 +10,13 @@
 
 namespace ricochet::verify::cluster {
 
-/// The five spheres of Figs. 7–9, mass and geometry as printed; α and k to choose.
-ClusterSetup five_spheres(double alpha, double k);
+/// What a run of Figs. 7–9 chooses: α, and k [kg/s²] and c [kg/s] where they are not the printed ones.
+struct Choice {
+  double alpha, k = paper::five_spheres.k, c = paper::five_spheres.c;
+};
+
+/// The five spheres, mass and geometry as printed.
+ClusterSetup five_spheres(Choice choice);
 
 struct Sample {
   double time = 0;
@@ -18,7 +25,8 @@ struct Sample {
 
 /// One run and what it is judged by.
 struct Run {
-  double alpha, k, step;
+  Choice law;
+  double step;
   std::vector<Sample> samples;
   std::vector<Encounter> collisions;  ///< ordered by t_b
   double momentum_drift = 0;          ///< greatest |p − p₀|/Σ m|v|
@@ -28,7 +36,7 @@ struct Run {
   double kinetic_left = 0;            ///< at the end, of what there was
 };
 
-Run run(double alpha, double k, double duration, double step, double sample_interval);
+Run run(Choice choice, double duration, double step, double sample_interval);
 
 /// "1-2", counted from one as the paper does.
 std::string pair_name(const Encounter& e);

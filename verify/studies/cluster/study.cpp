@@ -14,6 +14,7 @@
 namespace ricochet::verify {
 namespace {
 
+using cluster::Choice;
 using cluster::Overlap;
 using cluster::Run;
 using console::Json;
@@ -26,11 +27,11 @@ constexpr double stiffnesses[] = {1e3, 1e4, 1e5, 1e6, 1e7};
 constexpr double duration = 0.03, sampling = 1e-4;  // s
 
 // A 200th of what the lightest pair's collision lasts, and no coarser than what Figs. 7-9 are drawn with.
-double step_for(double alpha, double k) {
-  return std::min(4e-6, stiffest_contact(cluster::five_spheres(alpha, k)).tcol / 200);
+double step_for(Choice choice) {
+  return std::min(4e-6, stiffest_contact(cluster::five_spheres(choice)).tcol / 200);
 }
 
-Run run(double alpha, double k) { return cluster::run(alpha, k, duration, step_for(alpha, k), sampling); }
+Run run(Choice choice) { return cluster::run(choice, duration, step_for(choice), sampling); }
 
 Table collisions(const Run& run) {
   Table table({{"pair"},
@@ -40,7 +41,7 @@ Table collisions(const Run& run) {
                {"separation", "ms", {Notation::Kind::fixed, 4}},
                {"ended"},
                {"phases"}},
-              fmt::format("Fig. 9: collisions at α = {}, k = {} kg/s²", run.alpha, run.k));
+              fmt::format("Fig. 9: collisions at α = {}, k = {} kg/s²", run.law.alpha, run.law.k));
   for (const Encounter& e : run.collisions) {
     std::string phases;
     for (std::size_t p = 0; p < phase_count; ++p)
@@ -67,7 +68,7 @@ Table shares(const std::vector<Run>& strong, const std::vector<Run>& weak) {
   for (const auto* runs : {&strong, &weak})
     for (const Run& r : *runs) {
       const Overlap o = cluster::overlap(r.collisions, duration);
-      table.row({r.alpha, r.k, static_cast<std::int64_t>(r.collisions.size()), 1e3 * o.mean_duration, 1e3 * o.busy,
+      table.row({r.law.alpha, r.law.k, static_cast<std::int64_t>(r.collisions.size()), 1e3 * o.mean_duration, 1e3 * o.busy,
                  100 * o.shared, o.mean_pairs, static_cast<std::int64_t>(o.most_pairs), 100 * r.kinetic_left});
     }
   table.note(
@@ -91,9 +92,9 @@ struct Convergence {
 
 Convergence converge(double alpha) {
   Convergence c{.alpha = alpha, .step = 4e-5, .velocity = {}, .energy = {}, .velocity_order = 0, .energy_order = 0};
-  const Run exact = cluster::run(alpha, printed_k, duration, c.step / 64, sampling * 10);
+  const Run exact = cluster::run({alpha}, duration, c.step / 64, sampling * 10);
   for (int n = 0; n < 3; ++n) {
-    const Run r = cluster::run(alpha, printed_k, duration, c.step / (1 << n), sampling * 10);
+    const Run r = cluster::run({alpha}, duration, c.step / (1 << n), sampling * 10);
     c.velocity[n] = distance(r, exact);
     c.energy[n] = r.energy_drift;
   }
@@ -123,7 +124,7 @@ Table convergence_table(const std::vector<Convergence>& all) {
 }
 
 void conservation_gates(std::vector<Gate>& gates, const Run& r) {
-  const std::string at = fmt::format(", alpha = {}", r.alpha);
+  const std::string at = fmt::format(", alpha = {}", r.law.alpha);
   gates.push_back(at_most("momentum, greatest relative change" + at, r.momentum_drift, 1e-12));
   gates.push_back(at_most("angular momentum, greatest relative change" + at, r.angular_drift, 1e-12));
   gates.push_back(at_most("kinetic and stored energy, greatest relative rise" + at, r.energy_growth, 1e-6));
@@ -141,7 +142,7 @@ std::vector<Gate> gates(const std::vector<Run>& strong, const std::vector<Run>& 
   }
   const auto at = [](const std::vector<Run>& runs, double k) {
     for (const Run& r : runs)
-      if (r.k == k) return cluster::overlap(r.collisions, duration);
+      if (r.law.k == k) return cluster::overlap(r.collisions, duration);
     return Overlap{};
   };
   // The paper: collisions are longer when repulsion is weak; strong ones are binary, weak ones overlap.
@@ -151,7 +152,7 @@ std::vector<Gate> gates(const std::vector<Run>& strong, const std::vector<Run>& 
   all.push_back(at_most("strong, k = 1e7: most pairs at once (binary)", at(strong, 1e7).most_pairs, 1));
   for (const Run& r : weak)
     all.push_back(
-        at_least(fmt::format("weak, k = {}: most pairs at once (multiparticle)", console::significant(r.k, 1)),
+        at_least(fmt::format("weak, k = {}: most pairs at once (multiparticle)", console::significant(r.law.k, 1)),
                  cluster::overlap(r.collisions, duration).most_pairs, 3));
   return all;
 }
@@ -178,8 +179,8 @@ class ClusterStudy : public Study {
   StudyResult run(const RunOptions&) override {
     std::vector<Run> strong, weak;
     for (double k : stiffnesses) {
-      strong.push_back(verify::run(strong_alpha, k));
-      weak.push_back(verify::run(weak_alpha, k));
+      strong.push_back(verify::run({strong_alpha, k}));
+      weak.push_back(verify::run({weak_alpha, k}));
     }
     const std::vector<Convergence> orders{converge(strong_alpha), converge(weak_alpha)};
     StudyResult result;
