@@ -5,6 +5,7 @@
 
 #include <console/csv.hpp>
 #include <console/exit.hpp>
+#include <console/gnuplot.hpp>
 #include <console/number.hpp>
 #include <console/progress.hpp>
 
@@ -76,24 +77,28 @@ Table table_of(const Source& source, const std::vector<Fit>& fits) {
 }
 
 console::Figure figure_of(const Source& source, const std::vector<Measurement>& data, const std::vector<Fit>& fits) {
-  std::vector<console::Column> columns{{"velocity", "m/s"}, {"en"}};
   const std::string file = source.file + ".csv";
-  std::string curves;
+  std::vector<console::Column> columns{{"velocity", "m/s"}, {"en"}};
+  std::vector<console::Curve> curves{
+      {.file = file, .what = "1:2", .style = "points pt 7 lc rgb 'black'", .title = "published fit, sampled"}};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{5}}) {
     columns.push_back({fit_name(fits[i].request)});
-    curves += fmt::format(", '{}' skip 1 using 1:{} with lines lw 2 title '{}'", file, columns.size(),
-                          i == 0 ? "laws of constant restitution" : fit_name(fits[i].request));
+    curves.push_back({.file = file,
+                      .what = fmt::format("1:{}", columns.size()),
+                      .style = fmt::format("lines lt {} lw 2", curves.size()),
+                      .title = i == 0 ? "laws of constant restitution" : fit_name(fits[i].request)});
   }
   Table table(columns);
   for (std::size_t i = 0; i < data.size(); ++i)
     table.row({data[i].velocity, data[i].en, fits[0].predictions[i].en, fits[1].predictions[i].en,
                fits[5].predictions[i].en});
+  const console::Panel panel{.x = {.label = "impact velocity [m/s]", .log = true},
+                             .y = {.label = "restitution", .range = std::pair(0.0, 1.0)},
+                             .curves = curves,
+                             .key = "below maxcols 2"};
   return {source.file,
           fmt::format("Laws fitted to {}.", source.label),
-          fmt::format("set logscale x\nset grid\nset xlabel 'impact velocity [m/s]'\nset ylabel 'restitution'\n"
-                      "set yrange [0:1]\nplot '{}' skip 1 using 1:2 with points pt 7 lc rgb 'black' title 'published "
-                      "fit, sampled'{}",
-                      file, curves),
+          console::script_of({.panels = {panel}}),
           {{file, table.csv()}}};
 }
 
