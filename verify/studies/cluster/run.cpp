@@ -76,6 +76,7 @@ Run run(Choice choice, double duration, double step, double sample_interval) {
     for (const Encounter& e : cluster.take_finished()) run.collisions.push_back(e);
     if (n % every == 0) run.samples.push_back(sample(cluster));
   }
+  run.kernel_error = cluster.kernel_error();
   for (const ContactState& c : cluster.contacts()) run.collisions.push_back(c.record);
   std::sort(run.collisions.begin(), run.collisions.end(),
             [](const Encounter& a, const Encounter& b) { return a.begin < b.begin; });
@@ -83,6 +84,35 @@ Run run(Choice choice, double duration, double step, double sample_interval) {
 }
 
 std::string pair_name(const Encounter& e) { return fmt::format("{}-{}", e.i + 1, e.j + 1); }
+
+const Encounter* collision_of(const Run& run, std::uint32_t i, std::uint32_t j) {
+  for (const Encounter& e : run.collisions)
+    if (e.i == i && e.j == j) return &e;
+  return nullptr;
+}
+
+Vec3 local_spin(const Sample& sample, std::size_t i, std::size_t j) {
+  const Vec3 branch = sample.position[j] - sample.position[i], normal = branch / norm(branch);
+  const Vec3 xi = Vec3{-normal.y, normal.x, 0} / std::hypot(normal.x, normal.y), eta = cross(normal, xi);
+  const Vec3 spin = sample.spin[i];
+  return {dot(spin, xi), dot(spin, eta), dot(spin, normal)};
+}
+
+double tangential(Vec3 local) { return std::hypot(local.x, local.y); }
+
+std::vector<LocalSpin> spins_against(const Run& run, std::uint32_t i, std::uint32_t j) {
+  std::vector<LocalSpin> spins;
+  if (const Encounter* e = collision_of(run, i, j))
+    for (const Sample& s : run.samples)
+      if (s.time >= e->begin && s.time <= e->end) spins.push_back({s.time, local_spin(s, i, j)});
+  return spins;
+}
+
+double greatest_tangential(const Run& run, std::uint32_t i, std::uint32_t j) {
+  double greatest = 0;
+  for (const LocalSpin& s : spins_against(run, i, j)) greatest = std::max(greatest, tangential(s.spin));
+  return greatest;
+}
 
 Overlap overlap(const std::vector<Encounter>& collisions, double until) {
   std::vector<std::pair<double, int>> events;
