@@ -1,3 +1,4 @@
+#include "../../verify/studies/cluster/convergence.hpp"
 #include "../../verify/studies/cluster/run.hpp"
 
 #include <catch2/catch.hpp>
@@ -56,4 +57,21 @@ TEST_CASE("spins against a sphere are those of the samples during the collision"
   CHECK(spins_against(run, 0, 3).empty());
   CHECK(collision_of(run, 0, 4) == run.collisions.data());
   CHECK(collision_of(run, 0, 3) == nullptr);
+}
+
+TEST_CASE("the bounds of an order are those of a power law with the others added or taken away") {
+  // At h/4 the error is 1, of which ±s is the start's, h^{2−α}, and ±g the kernels', h⁰.
+  const auto order = [](double alpha, double s, double g) {
+    return 0.5 * std::log2((1 - s - g) * 16 + s * std::pow(4, 2 - alpha) + g);
+  };
+  for (const double alpha : {0.01, 0.5, 0.97})
+    for (const double s : {0.0, 0.1, 0.6})
+      for (const double g : {0.0, 0.02, 0.2}) {
+        const auto [low, high] = velocity_orders(alpha, s, g);
+        CHECK(low == Approx(order(alpha, s, g)).epsilon(1e-14));
+        CHECK(high == Approx(order(alpha, -s, -g)).epsilon(1e-14));
+      }
+  CHECK(velocity_orders(0.97, 50, 0).first == Approx(2 - 0.97).epsilon(1e-14));
+  CHECK(velocity_orders(0.97, 0, 0) == std::pair(2.0, 2.0));
+  CHECK(std::isnan(velocity_orders(0.97, 0, 1.5).first));
 }

@@ -72,10 +72,9 @@ Convergence::Errors errors_of(const std::array<Level, 3>& levels) {
 
 Convergence::Errors of_velocity(const std::array<Level, 3>& levels, double alpha, double start, double kernel) {
   Convergence::Errors errors = errors_of(levels);
-  const double finest = errors.mean[2], faster = 1 - std::pow(4.0, -alpha);
-  const double kernel_part = kernel / finest * (1 - std::pow(4.0, -2));
-  errors.low = 2 + 0.5 * std::log2(1 - std::min(start / finest, 1.0) * faster - kernel_part) - noise(levels);
-  errors.high = 2 + 0.5 * std::log2(1 + start / finest * faster + kernel_part) + noise(levels);
+  const auto [low, high] = velocity_orders(alpha, start / errors.mean[2], kernel / errors.mean[2]);
+  errors.low = low - noise(levels);
+  errors.high = high + noise(levels);
   return errors;
 }
 
@@ -87,6 +86,12 @@ Convergence::Errors of_energy(const std::array<Level, 3>& levels, double alpha) 
 }
 
 }  // namespace
+
+std::pair<double, double> velocity_orders(double alpha, double start_share, double kernel_share) {
+  const double faster = 1 - std::pow(4.0, -alpha), all = 1 - std::pow(4.0, -2);
+  return {2 + 0.5 * std::log2(1 - std::min(start_share, 1.0) * faster - kernel_share * all),
+          2 + 0.5 * std::log2(1 + start_share * faster + kernel_share * all)};
+}
 
 Convergence converge(double alpha, double duration) {
   constexpr int coarsest = 375, finest = 48000;

@@ -5,6 +5,7 @@
 #include <console/table.hpp>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace ricochet::verify::cluster {
@@ -33,6 +34,11 @@ struct Convergence {
 /// With shares s of these in the finest error, the order is 2 + ½ log2(1 ± Σ s (1 − 4^{q−2})), their orders q being
 /// 2−α and 0; it cannot fall below q for the former. Three standard errors of the means come on top.
 Convergence converge(double alpha, double duration);
+
+/// Least and greatest order of the velocities from a step h to h/4, for these shares in the error at h/4 of what the
+/// force's start and what the kernels' errors may be; without the standard errors. Not a number where the kernels may
+/// be all of the error.
+std::pair<double, double> velocity_orders(double alpha, double start_share, double kernel_share);
 
 console::Table convergence_table(const std::vector<Convergence>& all);
 void convergence_gates(std::vector<Gate>& gates, const std::vector<Convergence>& all);
