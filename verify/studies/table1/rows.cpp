@@ -146,8 +146,7 @@ Table table_of(const std::vector<Trial>& trials, const std::vector<Line>& lines)
   const Notation velocity{Notation::Kind::fixed, 5};
   std::vector<console::Column> columns{
       {"(59) by"}, {"density", "kg/m3"}, {"ends at", "1e-6 s", {Notation::Kind::fixed, 4}}};
-  std::vector<console::Cell> printed(3, console::blank());
-  printed[0] = "paper";
+  std::vector<console::Cell> printed{"paper", console::blank(), console::blank()};
   for (const Line& line : lines) {
     if (line.steps == 0) continue;
     columns.push_back({fmt::format("dN = {}", line.steps), "m/s", velocity});
@@ -159,8 +158,8 @@ Table table_of(const std::vector<Trial>& trials, const std::vector<Line>& lines)
   table.row(printed);
   for (const Trial& t : trials) {
     std::vector<console::Cell> cells{name(t.variant), t.density, 1e6 * t.time};
-    for (const double v : t.velocities) cells.emplace_back(v);
-    cells.push_back(t.farthest);
+    cells.resize(columns.size(), t.farthest);
+    std::copy(t.velocities.begin(), t.velocities.end(), cells.begin() + 3);
     table.row(cells);
   }
   return table;

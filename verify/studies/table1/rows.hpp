@@ -12,7 +12,7 @@ namespace ricochet::verify::table1 {
 
 /// A line of the printed table: the state at the end of the collision of Fig. 2, by that many steps.
 struct Line {
-  int steps;  ///< dN; 0 for the limit
+  int steps = 0;  ///< dN; 0 for the limit
   Instant printed;
 };
 
@@ -29,11 +29,13 @@ Instant stepped_state(FractionalScheme scheme, double density, double time, int 
 
 /// (59) with step means by RK4: of the variants the nearest to the printed overlaps at 20 and 40 steps.
 inline constexpr Variant step_means{Held::mean, Stepper::rk4};
+/// (59) as written, in a predictor-corrector.
+inline constexpr Variant left_values{Held::left, Stepper::heun};
 
 /// A density, a time at which the run stops, a line of the printed table and what is computed beside it.
 struct Row {
-  double density, time;
-  bool rounded_end;  ///< the time as printed, else the exact collision time of this density
+  double density = 0, time = 0;
+  bool rounded_end = false;  ///< the time as printed, else the exact collision time of this density
   Line line;
   Instant left, means, arms, exact;
 };
@@ -44,7 +46,7 @@ console::Json rows_json(const std::vector<Row>& rows);
 /// One variant of (59) with one density and end, and its last velocity for each number of steps that is printed.
 struct Trial {
   Variant variant;
-  double density, time;
+  double density = 0, time = 0;
   std::vector<double> velocities;
   double farthest = 0;  ///< from the printed ones, in units of their last digit
 };
