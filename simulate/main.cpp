@@ -1,6 +1,7 @@
 #include <simulate/run.hpp>
 
 #include <console/exit.hpp>
+#include <console/input.hpp>
 #include <console/number.hpp>
 #include <console/program.hpp>
 #include <console/signals.hpp>
@@ -8,19 +9,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
 namespace {
 
 using namespace ricochet;
-
-std::string read_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) throw console::BadInput(path + ": cannot be read; must be a scene file");
-  return text.str();
-}
 
 void announce(const simulate::Scene& scene) {
   const double tcol = scene.stiffest.tcol;
@@ -29,6 +20,7 @@ void announce(const simulate::Scene& scene) {
   console::complain("simulate", fmt::format("{} spheres, {} walls, {} steps of {} s{}", scene.setup.spheres.size(),
                                             scene.setup.walls.size(), scene.steps,
                                             console::significant(scene.options.step, 4), shortest));
+  if (!scene.remark.empty()) console::complain("simulate", scene.remark);
 }
 
 }  // namespace
@@ -49,7 +41,7 @@ int main(int argc, char** argv) {
   app.add_option("-o,--output", folder, "the folder to write to, made if missing")->required();
   app.add_flag("--resume", resume, "go on with an interrupted run in that folder");
   return console::run_program(app, argc, argv, [&] {
-    const simulate::Scene scene = simulate::read_scene(file, read_file(file));
+    const simulate::Scene scene = simulate::read_scene(file, console::read_input(file));
     const int signal = simulate::run(scene, folder, resume, [&] { announce(scene); });
     if (signal == 0) return console::Exit::done;
     console::complain("simulate",

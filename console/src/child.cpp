@@ -83,13 +83,21 @@ struct Start {
 
 std::string_view name_of(std::string_view variable) { return variable.substr(0, variable.find('=')); }
 
-/// In plain C gnuplot warns about its degree sign, and in others programs would write decimal commas.
+/// What a program needs to be found and to start; Open MPI's are about the machine. All else is somebody's taste.
+bool is_handed_on(std::string_view name) {
+  constexpr std::array<std::string_view, 3> needed{"PATH", "LD_LIBRARY_PATH", "TMPDIR"};
+  return std::find(needed.begin(), needed.end(), name) != needed.end() || name.starts_with("OMPI_");
+}
+
+/// In plain C gnuplot warns about its degree sign, and in others programs would write decimal commas. At home lie
+/// start-up files that could change what is drawn or computed.
 std::vector<std::string> environment_of(const Command& command) {
   std::vector<std::string> variables = command.environment;
-  variables.emplace_back("LC_ALL=C.UTF-8");
+  for (const char* const ours : {"LC_ALL=C.UTF-8", "HOME=/nonexistent"}) variables.emplace_back(ours);
   const std::size_t ours = variables.size();
   for (char** entry = environ; *entry; ++entry)
-    if (std::none_of(variables.begin(), variables.begin() + static_cast<std::ptrdiff_t>(ours),
+    if (is_handed_on(name_of(*entry)) &&
+        std::none_of(variables.begin(), variables.begin() + static_cast<std::ptrdiff_t>(ours),
                      [&](const std::string& mine) { return name_of(mine) == name_of(*entry); }))
       variables.emplace_back(*entry);
   return variables;

@@ -18,7 +18,11 @@ namespace ricochet::console {
 
 namespace {
 
-constexpr std::array deadly_signals{SIGINT, SIGTERM, SIGHUP};
+// Asked to end, by a terminal, a scheduler or a limit: what can be stopped at a good place is.
+constexpr std::array<int, stopping_signals> asking_signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM};
+// Whatever else ends a program and can be caught.
+constexpr std::array dying_signals{SIGQUIT, SIGVTALRM, SIGPROF, SIGPOLL, SIGPWR, SIGSTKFLT, SIGSYS,
+                                   SIGABRT, SIGSEGV,   SIGBUS,  SIGFPE,  SIGILL, SIGTRAP};
 
 // A signal handler may only reach what is static.
 struct Slot {
@@ -48,7 +52,8 @@ void remove_what_passes() noexcept {
 sigset_t deadly_set() noexcept {
   sigset_t set;
   ::sigemptyset(&set);
-  for (const int signal : deadly_signals) ::sigaddset(&set, signal);
+  for (const int signal : asking_signals) ::sigaddset(&set, signal);
+  for (const int signal : dying_signals) ::sigaddset(&set, signal);
   return set;
 }
 
@@ -74,11 +79,15 @@ void handle(int signal, void (*handler)(int)) noexcept {
 
 // Only signals that would kill the program are caught: one that is noted (StopOnSignal) or ignored (nohup) stays as is.
 void catch_deadly() noexcept {
-  for (const int signal : deadly_signals) {
-    struct sigaction now = {};
-    ::sigaction(signal, nullptr, &now);
-    if (now.sa_handler == SIG_DFL) handle(signal, clean_up_and_die);
-  }
+  const auto catch_all = [](const auto& signals) {
+    for (const int signal : signals) {
+      struct sigaction now = {};
+      ::sigaction(signal, nullptr, &now);
+      if (now.sa_handler == SIG_DFL) handle(signal, clean_up_and_die);
+    }
+  };
+  catch_all(asking_signals);
+  catch_all(dying_signals);
 }
 
 // Entries as the system hands them out, without opendir(), which allocates.
@@ -152,14 +161,14 @@ SignalsHeld::~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 
 StopOnSignal::StopOnSignal() {
   noted_signal = 0;
-  for (std::size_t i = 0; i < deadly_signals.size(); ++i) {
-    ::sigaction(deadly_signals[i], nullptr, &before_[i]);
-    if (before_[i].sa_handler != SIG_IGN) handle(deadly_signals[i], note_or_die);
+  for (std::size_t i = 0; i < asking_signals.size(); ++i) {
+    ::sigaction(asking_signals[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler != SIG_IGN) handle(asking_signals[i], note_or_die);
   }
 }
 
 StopOnSignal::~StopOnSignal() {
-  for (std::size_t i = 0; i < deadly_signals.size(); ++i) ::sigaction(deadly_signals[i], &before_[i], nullptr);
+  for (std::size_t i = 0; i < asking_signals.size(); ++i) ::sigaction(asking_signals[i], &before_[i], nullptr);
 }
 
 int StopOnSignal::noted() noexcept { return noted_signal; }

@@ -11,8 +11,8 @@ namespace ricochet::console {
 /// Removes the folder and the files in it; folders inside stay, and then so does it. Fit for signal handlers.
 void remove_folder(const char* path) noexcept;
 
-/// A temporary file or folder that SIGINT, SIGTERM and SIGHUP remove before they end the program. To be made together
-/// with the file while SignalsHeld, so that no signal falls in between.
+/// A temporary file or folder that every signal that can be caught removes before it ends the program. To be made
+/// together with the file while SignalsHeld, so that no signal falls in between.
 class Passing {
  public:
   enum class Kind { file, folder };

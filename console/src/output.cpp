@@ -1,5 +1,6 @@
 #include "cleanup.hpp"
 #include "durable.hpp"
+#include "leftovers.hpp"
 
 #include <console/output.hpp>
 #include <console/scratch.hpp>
@@ -44,6 +45,8 @@ struct Target {
 Target look_at(const std::string& target, const std::string& shown) {
   struct stat status = {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
+  if (struct stat link = {}; !exists && ::lstat(target.c_str(), &link) == 0 && S_ISLNK(link.st_mode))
+    throw BadInput(fmt::format("{}: cannot write: a link that leads nowhere", shown));
   if (exists && S_ISDIR(status.st_mode)) throw_cannot_create(shown, EISDIR);
   const bool regular = exists && S_ISREG(status.st_mode);
   if (regular && ::access(target.c_str(), W_OK) != 0) throw_cannot_create(shown, errno);
@@ -78,13 +81,14 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), target_(resol
 void AtomicFile::open_temporary(bool exists, unsigned mode) {
   const auto slash = target_.find_last_of('/');
   const std::string name = slash == std::string::npos ? target_ : target_.substr(slash + 1);
+  remove_leftovers(folder_of(target_), hidden_scratch);
   const SignalsHeld held;
   for (int attempt = 0; file_ < 0; ++attempt) {
-    // A name is at most 255 bytes long; the temporary one keeps as much of the target's as fits.
-    temporary_ = fmt::format("{}.{}.{}.{}.part", folder_of(target_), name.substr(0, 200), ::getpid(), attempt);
+    temporary_ = folder_of(target_) + temporary_name(name, attempt);
     file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (file_ < 0 && (errno != EEXIST || attempt > 1000)) throw_cannot_create(path_, errno);
   }
+  hold(file_);
   passing_ = std::make_unique<Passing>(Passing::Kind::file, temporary_);
   if (exists) ::fchmod(file_, mode);
 }
@@ -115,31 +119,63 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
 }
 
 OutputFolder::~OutputFolder() {
+  for (const File& file : files_) ::unlink(file.staged.c_str());
   staging_.reset();
   if (made_) ::rmdir(path_.c_str());
 }
 
 void OutputFolder::add(const std::string& name, std::string_view bytes) {
   const std::string shown = path_ + "/" + name;
-  const Target target = look_at(resolved(shown), shown);
-  const int file = ::open((staging_->path() + "/" + name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const std::string target = resolved(shown);
+  const Target at_target = look_at(target, shown);
+  const auto known = std::find_if(files_.begin(), files_.end(), [&](const File& file) { return file.shown == shown; });
+  const File& staged = known != files_.end() ? *known : files_.emplace_back(stage(name, shown, target));
+  const int file = ::open(staged.staged.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) throw_cannot_create(shown, errno);
   const Descriptor closed_at_the_end(file);
-  if (target.exists) ::fchmod(file, target.mode);
+  if (at_target.exists) ::fchmod(file, at_target.mode);
   write_all(file, bytes, shown);
   sync(file, shown);
-  if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+}
+
+/// Where a file waits: in a folder that is renamed from in one step. The end of a link may lie in another file system.
+OutputFolder::File OutputFolder::stage(const std::string& name, const std::string& shown, const std::string& target) {
+  if (folder_of(target) == resolved(path_) + "/" || folder_of(target) == folder_of(shown))
+    return {shown, target, staging_->path() + "/" + name, staging_->path() + "/" + name + ".old", nullptr};
+  File file{shown, target, folder_of(target) + temporary_name(name, 0), folder_of(target) + temporary_name(name, 1),
+            nullptr};
+  file.passing = std::make_unique<Passing>(Passing::Kind::file, file.staged);
+  return file;
 }
 
 void OutputFolder::commit() {
   const SignalsHeld held;
-  for (const std::string& name : names_) {
-    const std::string shown = path_ + "/" + name;
-    if (::rename((staging_->path() + "/" + name).c_str(), resolved(shown).c_str()) != 0)
-      throw CannotWrite(shown, errno);
+  std::size_t done = 0;
+  for (; done < files_.size(); ++done)
+    if (const int error = files_[done].put(); error != 0) {
+      const std::string failed = files_[done].shown;
+      while (done-- > 0) files_[done].take_back();
+      throw CannotWrite(failed, error);
+    }
+  for (const File& file : files_) {
+    ::unlink(file.kept.c_str());
+    sync_folder(folder_of(file.target));
   }
-  names_.clear();
-  sync_folder(path_);
+  files_.clear();
+}
+
+/// Puts the file in its place and keeps what was there beside it; the system's error, 0 for none.
+int OutputFolder::File::put() const noexcept {
+  ::unlink(kept.c_str());
+  if (::link(target.c_str(), kept.c_str()) != 0 && errno != ENOENT) return errno;
+  if (::rename(staged.c_str(), target.c_str()) == 0) return 0;
+  const int error = errno;
+  ::unlink(kept.c_str());
+  return error;
+}
+
+void OutputFolder::File::take_back() const noexcept {
+  if (::rename(kept.c_str(), target.c_str()) != 0) ::unlink(target.c_str());  // there was nothing
 }
 
 Output::Output(const std::string& path) : file_(path.empty() ? nullptr : std::make_unique<AtomicFile>(path)) {}

@@ -17,7 +17,7 @@ namespace ricochet::console {
 namespace {
 
 Ran gnuplot(const std::string& script, const std::string& folder) {
-  Ran ran = run({.arguments = {"gnuplot"}, .folder = folder, .input = script});
+  Ran ran = run({.arguments = {"gnuplot", "-d"}, .folder = folder, .input = script});
   if (!ran.found) throw Failed("gnuplot: not found; Debian's package is gnuplot-nox");
   return ran;
 }
@@ -45,12 +45,21 @@ std::string why(const Ran& failed) {
   return "nothing drawn";
 }
 
+/// Whether gnuplot complains about the script, "line 12: warning: Skipping data file with no valid points", which it
+/// ends with 0 on. Words of others on stderr (a fontconfig without its files) are no failure.
+bool complains(const std::string& words) {
+  for (auto at = words.find("line "); at != std::string::npos; at = words.find("line ", at + 1)) {
+    const auto end = words.find_first_not_of("0123456789", at + 5);
+    if (end != at + 5 && end != std::string::npos && words[end] == ':') return true;
+  }
+  return false;
+}
+
 std::string picture(const Figure& figure, std::string_view terminal, const std::string& folder) {
   const Ran ran = gnuplot(fmt::format("set terminal {} size {},{}\n{}{}\n", terminal, figure.width, figure.height,
                                       house_style, figure.script),
                           folder);
-  // gnuplot ends with 0 on "warning: Skipping data file with no valid points": whatever it says is an error here.
-  if (ran.status != 0 || !ran.err.empty() || ran.out.empty())
+  if (ran.status != 0 || complains(ran.err) || ran.out.empty())
     throw Failed(fmt::format("gnuplot, figure {}: {}", figure.name, why(ran)));
   return ran.out;
 }

@@ -1,5 +1,6 @@
 #include "cleanup.hpp"
 #include "durable.hpp"
+#include "leftovers.hpp"
 
 #include <console/output.hpp>
 #include <console/scratch.hpp>
@@ -15,23 +16,41 @@
 
 namespace ricochet::console {
 
-ScratchFolder::ScratchFolder() : path_((std::filesystem::temp_directory_path() / "ricochet-XXXXXX").string()) {
-  if (const int error = make()) throw CannotWrite(path_, error);
+namespace {
+
+/// TMPDIR where that is a folder, else the system's own.
+std::string temporary_files() {
+  std::error_code missing;
+  const auto named = std::filesystem::temp_directory_path(missing);
+  return missing ? "/tmp" : named.string();
 }
 
-ScratchFolder::ScratchFolder(const std::string& inside) : path_(inside + "/.ricochet-XXXXXX") {
-  if (const int error = make()) throw_cannot_create(inside, error);
+}  // namespace
+
+ScratchFolder::ScratchFolder() {
+  if (const int error = make(temporary_files(), system_scratch)) throw CannotWrite(path_, error);
+}
+
+ScratchFolder::ScratchFolder(const std::string& inside) {
+  if (const int error = make(inside, hidden_scratch)) throw_cannot_create(inside, error);
 }
 
 /// Returns the system's error, 0 for none.
-int ScratchFolder::make() noexcept {
+int ScratchFolder::make(const std::string& inside, std::string_view prefix) noexcept {
+  remove_leftovers(inside, prefix);
+  path_ = inside + "/" + scratch_name(prefix);
   const SignalsHeld held;
   if (!::mkdtemp(path_.data())) return errno;
+  held_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (held_ >= 0) hold(held_);
   passing_ = std::make_unique<Passing>(Passing::Kind::folder, std::filesystem::absolute(path_).string());
   return 0;
 }
 
-ScratchFolder::~ScratchFolder() { remove_folder(path_.c_str()); }
+ScratchFolder::~ScratchFolder() {
+  remove_folder(path_.c_str());
+  if (held_ >= 0) ::close(held_);
+}
 
 void ScratchFolder::write(const std::string& name, std::string_view bytes) const {
   const std::string path = path_ + "/" + name;

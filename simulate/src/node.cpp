@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 #include <vector>
 
@@ -99,18 +98,56 @@ Vec3 Node::vector() const {
 
 namespace {
 
-// JSON lets a key come twice and readers keep the last: in a scene that is a mistake. The callback sees every key
-// together with its depth.
-class KeysOnce {
+/// More than any scene or state needs, and far less than what the recursions over a document would run out of stack by.
+constexpr std::size_t deepest = 64;
+
+/// Before the parser sees it: what follows the text is no matter of a bracket more or less.
+void require_shallow(const std::string& file, const std::string& text) {
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quoted && c == '\\')
+      ++at;
+    else if (c == '"')
+      quoted = !quoted;
+    else if (!quoted && (c == '[' || c == '{') && ++depth > deepest)
+      throw BadInput(fmt::format("{}:{}: brackets in more than {} brackets; must be fewer", file,
+                                 line_and_column(text, at), deepest));
+    else if (!quoted && (c == ']' || c == '}') && depth > 0)
+      --depth;
+  }
+}
+
+/// JSON lets a key come twice and readers keep the last: in a scene that is a mistake. A pass of its own: the library's
+/// parser with a callback looks through a whole array at the end of each of its elements.
+class KeysOnce final : public nlohmann::json_sax<Json> {
  public:
-  bool operator()(int depth, Json::parse_event_t event, Json& value) {
-    if (event == Json::parse_event_t::object_start) seen_.resize(static_cast<std::size_t>(depth) + 1);
-    if (event != Json::parse_event_t::key) return true;
-    const auto level = static_cast<std::size_t>(depth);
-    if (seen_.size() <= level) seen_.resize(level + 1);
-    if (!seen_[level].insert(value.get<std::string>()).second && repeated.empty()) repeated = value.get<std::string>();
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
+
+  bool start_object(std::size_t) override {
+    seen_.emplace_back();
     return true;
   }
+  bool key(string_t& name) override {
+    if (seen_.back().insert(name).second) return true;
+    repeated = name;
+    return false;
+  }
+  bool end_object() override {
+    seen_.pop_back();
+    return true;
+  }
+
   std::string repeated;
 
  private:
@@ -120,10 +157,10 @@ class KeysOnce {
 }  // namespace
 
 Json parse(const std::string& file, const std::string& text) {
-  KeysOnce keys;
+  require_shallow(file, text);
   Json json;
   try {
-    json = Json::parse(text, std::ref(keys));
+    json = Json::parse(text);
   } catch (const Json::parse_error& error) {
     throw BadInput(fmt::format("{}:{}: no JSON: must be one object as docs/scenes.md describes", file,
                                line_and_column(text, error.byte > 0 ? error.byte - 1 : 0)));
@@ -134,7 +171,7 @@ Json parse(const std::string& file, const std::string& text) {
     throw BadInput(fmt::format("{}:{}: {}: must be at most 1.8e308 in size", file,
                                line_and_column(text, text.find(number)), number));
   }
-  if (!keys.repeated.empty())
+  if (KeysOnce keys; !Json::sax_parse(text, &keys))
     throw BadInput(
         fmt::format("{}: key \"{}\" is given twice in one object; it must be given once", file, keys.repeated));
   return json;

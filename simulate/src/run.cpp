@@ -4,6 +4,7 @@
 #include "state_file.hpp"
 
 #include <console/exit.hpp>
+#include <console/input.hpp>
 #include <console/number.hpp>
 #include <console/output.hpp>
 #include <console/progress.hpp>
@@ -14,23 +15,13 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 namespace ricochet::simulate {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-std::string read_all(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw console::BadInput(path + ": cannot read; must be there to --resume from");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// Below it, what the memory of a fractional contact leaves out is small against what the time steps do.
 constexpr double unspoken_kernel_error = 1e-6;
@@ -85,9 +76,23 @@ class Run {
       throw console::Failed(
           fmt::format("t = {} s: the motion is no longer finite; a smaller \"step\" is needed. All before is written",
                       console::significant(cluster_.time(), 6)));
+    if (const auto through = cluster_.breakthrough()) report(*through);
     for (const Encounter& e : cluster_.take_finished()) contacts_.append(contact_row(scene_, e));
     const std::uint64_t done = cluster_.steps();
     if (done % scene_.output_every == 0 || done == scene_.steps) output();
+  }
+
+  [[noreturn]] void report(const Breakthrough& through) const {
+    const auto& [i, j, speed] = through;
+    const std::string what =
+        i == j ? fmt::format("body {} moves by more than its radius in a step, at {} m/s: a smaller \"step\" is needed",
+                             scene_.body_names[i], console::significant(speed, 3))
+               : fmt::format(
+                     "bodies {} and {} have gone into each other by more than {} radii, at {} m/s: a stiffer "
+                     "law, or slower bodies, are needed",
+                     scene_.body_names[i], scene_.body_names[j], Breakthrough::share, console::significant(speed, 3));
+    throw console::Failed(
+        fmt::format("t = {} s: {}. All before is written", console::significant(cluster_.time(), 6), what));
   }
 
   void report_kernel() const {
@@ -143,7 +148,7 @@ int run(const Scene& scene, const std::string& folder, bool resume, const std::f
     if (error) throw console::BadInput(fmt::format("-o {}: cannot be made: {}", folder, error.message()));
     return Run(scene, std::move(cluster), folder, {}).go(begun);
   }
-  const Checkpoint from = read_checkpoint(state, read_all(state), scene);
+  const Checkpoint from = read_checkpoint(state, console::read_input(state), scene);
   if (from.complete) return 0;
   return Run(scene, prepared(scene), folder, from).go(begun);
 }

@@ -2,6 +2,7 @@
 
 #include "law.hpp"
 #include "node.hpp"
+#include "passage.hpp"
 
 #include <console/exit.hpp>
 #include <console/number.hpp>
@@ -59,7 +60,7 @@ Friction read_friction(const Node& node) {
   const double mu_dynamic = node.has("mu_dynamic") ? node.at("mu_dynamic").not_negative() : mu_static;
   if (mu_dynamic > mu_static) node.at("mu_dynamic").reject("at most mu_static");
   return Friction(mu_static, mu_dynamic, node.has("decay") ? node.at("decay").not_negative() : 0,
-                  node.has("rolling_arm") ? node.at("rolling_arm").not_negative() : 1);
+                  node.has("rolling_arm") ? node.at("rolling_arm").not_negative() : 0);
 }
 
 Interactions read_interactions(const Node& node, const Materials& materials) {
@@ -225,6 +226,7 @@ Scene read_scene(const std::string& file, const std::string& text) {
   check_pairs(root, materials, scene);
   check_apart(root, scene.setup);
   choose_step(root, scene);
+  scene.remark = look_ahead(root, scene);
   scene.fingerprint = fingerprint(json.dump());
   return scene;
 }

@@ -28,6 +28,16 @@ TEST_CASE("a program gets its input, folder and environment, and what it says co
   CHECK_FALSE(run({.arguments = {"no-such-program"}}).found);
 }
 
+TEST_CASE("a program sees of our environment only what it takes to start") {
+  ::setenv("GNUTERM", "qt", 1);
+  ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+  const Ran ran = run({.arguments = {"sh", "-c", "echo $GNUTERM,$HOME,$OMPI_ALLOW_RUN_AS_ROOT,$TMPDIR; echo $PATH"}});
+  ::unsetenv("GNUTERM");
+  ::unsetenv("OMPI_ALLOW_RUN_AS_ROOT");
+  const char* const temporary = std::getenv("TMPDIR");
+  CHECK(ran.out == ",/nonexistent,1," + std::string(temporary ? temporary : "") + "\n" + std::getenv("PATH") + "\n");
+}
+
 TEST_CASE("a program and its own children do not outlive a signal to this one") {
   const TemporaryFolder folder;
   const std::string pids = folder / "pids";

@@ -23,7 +23,7 @@ template <class Body>
 int in_child(Body body) {
   const pid_t child = ::fork();
   if (child == 0) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);  // Catch2 caught them
+    for (int signal = 1; signal < SIGRTMIN; ++signal) std::signal(signal, SIG_DFL);  // Catch2 caught some
     body();
     ::_exit(0);
   }
@@ -102,7 +102,12 @@ TEST_CASE("a file that grows past the limit leaves the old one and no other") {
 TEST_CASE("a full device is reported") { CHECK_THROWS_AS(write_atomically("/dev/full", "x"), Failed); }
 
 TEST_CASE("a signal removes the temporary file and still kills") {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  const rlimit none{0, 0};
+  ::setrlimit(RLIMIT_CORE, &none);
+  for (const int signal :
+       {SIGINT,  SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM, SIGXCPU, SIGVTALRM, SIGPROF,
+        SIGPOLL, SIGPWR,  SIGSYS, SIGABRT, SIGSEGV, SIGBUS,  SIGFPE,  SIGILL,  SIGTRAP,   SIGSTKFLT}) {
+    CAPTURE(signal);
     const TemporaryFolder folder;
     const int status = in_child([&] {
       AtomicFile file(folder / "a.txt");
@@ -146,6 +151,70 @@ TEST_CASE("a folder's files that are not put in their places leave nothing") {
   { OutputFolder made(folder / "made"); }
   CHECK(folder.count() == 1);
   CHECK_THROWS_AS(OutputFolder("/dev/null/x"), BadInput);
+}
+
+TEST_CASE("a folder's files are all replaced, or none") {
+  const TemporaryFolder folder, elsewhere;
+  // A name that is a folder's by the time of the commit cannot be replaced by a file.
+  const auto filled = [&](OutputFolder& output) {
+    for (const std::string name : {"a.txt", "b.txt", "new.txt", "z.txt"}) output.add(name, "new");
+  };
+  for (const std::string name : {"a.txt", "b.txt"}) write_atomically(folder / name, "old");
+  {
+    OutputFolder output(folder.path());
+    filled(output);
+    std::filesystem::create_directory(folder / "z.txt");
+    CHECK_THROWS_WITH(output.commit(), Catch::Contains("z.txt: cannot write"));
+  }
+  CHECK(read_file(folder / "a.txt") == "old");
+  CHECK(read_file(folder / "b.txt") == "old");
+  CHECK_FALSE(std::filesystem::exists(folder / "new.txt"));
+  CHECK(folder.count() == 3);
+  // The end of a link may lie in another folder, and in another file system.
+  std::filesystem::remove(folder / "z.txt");
+  write_atomically(elsewhere / "z", "old");
+  std::filesystem::create_symlink(elsewhere / "z", folder / "z.txt");
+  {
+    OutputFolder output(folder.path());
+    filled(output);
+    CHECK(elsewhere.count() == 2);
+    output.commit();
+  }
+  CHECK(read_file(elsewhere / "z") == "new");
+  CHECK(std::filesystem::is_symlink(folder / "z.txt"));
+  CHECK(folder.count() == 4);
+  CHECK(elsewhere.count() == 1);
+}
+
+TEST_CASE("a link that leads nowhere, or round in a circle, is refused") {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("nowhere", folder / "dangling");
+  std::filesystem::create_symlink("circle", folder / "circle");
+  for (const std::string name : {"dangling", "circle"}) {
+    CHECK_THROWS_WITH(write_atomically(folder / name, "x"),
+                      (folder / name) + ": cannot write: a link that leads nowhere");
+    OutputFolder output(folder.path());
+    CHECK_THROWS_AS(output.add(name, "x"), BadInput);
+  }
+}
+
+TEST_CASE("what a killed process left is removed by the next one in that folder, and no more") {
+  const TemporaryFolder folder;
+  const int killed = in_child([&] {
+    const AtomicFile file(folder / "a.txt");
+    const OutputFolder output(folder.path());
+    ::raise(SIGKILL);
+  });
+  CHECK(WTERMSIG(killed) == SIGKILL);
+  CHECK(folder.count() == 2);
+  std::ofstream(folder / ".a.txt.part") << "somebody's own";
+  std::ofstream(folder / ".a.txt.1.0.part") << "of a process that lives";
+  const AtomicFile ours(folder / "c.txt");
+  { OutputFolder output(folder.path()); }
+  write_atomically(folder / "b.txt", "b");
+  CHECK(folder.count() == 4);
+  CHECK(std::filesystem::exists(folder / ".a.txt.part"));
+  CHECK(std::filesystem::exists(folder / ".a.txt.1.0.part"));
 }
 
 TEST_CASE("a signal removes folders that pass, with what is in them") {

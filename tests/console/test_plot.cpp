@@ -97,6 +97,21 @@ TEST_CASE("gnuplot's complaint is reported and nothing is drawn") {
   CHECK(folder.count() == 0);
 }
 
+TEST_CASE("what a user has set for gnuplot does not get into a figure") {
+  const Figure figure{"line", "", "plot 'line.csv' using 1:2 with lines", {{"line.csv", "0,0\n1,1\n"}}};
+  const std::string plain = svg_of(figure);
+  const TemporaryFolder home;
+  std::ofstream(home / ".gnuplot") << "set title 'mine'\nset terminal nonsense\n";
+  const std::string before = std::getenv("HOME") ? std::getenv("HOME") : "";
+  ::setenv("HOME", home.path().c_str(), 1);
+  ::setenv("GNUTERM", "nonsense", 1);
+  ::setenv("FONTCONFIG_FILE", "/none", 1);
+  const std::string theirs = svg_of(figure);
+  for (const char* name : {"GNUTERM", "FONTCONFIG_FILE"}) ::unsetenv(name);
+  ::setenv("HOME", before.c_str(), 1);
+  CHECK(theirs == plain);
+}
+
 TEST_CASE("a machine without gnuplot gets the package's name") {
   const TemporaryFolder folder;
   const std::string path = std::getenv("PATH");

@@ -96,7 +96,7 @@ struct Slider {
 
 TEST_CASE("pure spin slows at the rate of the full torque") {
   // dΩ/dt = −(2/3) μ a N/J, exactly linear in time until it stops.
-  const Friction friction(0.4, 0.4, 0);
+  const Friction friction(0.4, 0.4, 0, 1);
   Slider s;
   s.problem.contact_radius = 0.2;
   s.problem.mobility = {1.0, 0.0, 2.0};
@@ -110,7 +110,7 @@ TEST_CASE("a slide ever so small against the spin dies as the power of the spin 
   // To first order in λ = u/(aΩ) the direction of motion at (ρ, φ) has the sliding component λ sin²φ/ρ:
   // F = (1/π)∫∫ λ sin²φ dρ dφ = λ, and 𝒯 = (1/π)∫∫ ρ² dρ dφ = 2/3. With y = aΩ, α = μN/m, β = μN a²/J:
   // du/dt = −α u/y, dy/dt = −(2/3)β, hence u/u₀ = (y/y₀)^{3α/(2β)}.
-  const Friction friction(0.5, 0.5, 0);
+  const Friction friction(0.5, 0.5, 0, 1);
   const double a = 0.2, alpha = 0.5 * 1.2, beta = 0.5 * a * a * 20, y0 = a * 4, u0 = 1e-16 * y0;
   const auto start = [&] {
     Slider s;
@@ -140,7 +140,7 @@ TEST_CASE("a slide ever so small against the spin dies as the power of the spin 
 TEST_CASE("a spin ever so small against the slide decays as the disc integrals give") {
   // To first order in 1/λ: 𝒯 = (1/π)∫∫ (ρ cos φ)²/λ ρ dρ dφ = 1/(4λ), F = 1. So dy/dt = −(β/4) y/u, du/dt = −α, and
   // y/y₀ = (u/u₀)^{β/(4α)}.
-  const Friction friction(0.5, 0.5, 0);
+  const Friction friction(0.5, 0.5, 0, 1);
   const double a = 0.2, alpha = 0.5 * 1.2, beta = 0.5 * a * a * 20, u0 = 0.9, y0 = 1e-16 * u0;
   const auto start = [&] {
     Slider s;
@@ -168,7 +168,7 @@ TEST_CASE("a spin ever so small against the slide decays as the disc integrals g
 TEST_CASE("a disc ends sliding and spinning together, at the ratio of Farkas et al.") {
   // Uniform disc on its face: J = m a²/2. The ratio tends to the root of F/(λ𝒯) = m a²/J = 2, which is 0.653
   // (Phys. Rev. Lett. 90, 248302), from whichever side.
-  const Friction friction(0.3, 0.3, 0);
+  const Friction friction(0.3, 0.3, 0, 1);
   for (double start : {0.1, 0.653, 5.0}) {
     Slider s;
     s.problem.contact_radius = 0.5;
@@ -195,7 +195,7 @@ TEST_CASE("a disc ends sliding and spinning together, at the ratio of Farkas et 
 }
 
 TEST_CASE("coupled sliding and spinning converge at order 2 in the step") {
-  const Friction friction(0.5, 0.3, 0.7);
+  const Friction friction(0.5, 0.3, 0.7, 1);
   const auto run = [&](int steps) {
     Slider s;
     s.problem.contact_radius = 0.5;

@@ -90,3 +90,28 @@ TEST_CASE("a run does not overwrite another, nor continue one of another scene")
   std::ofstream(folder.path / "state.json") << "{}";
   CHECK_THROWS_WITH(run(scene, folder.path, true), Catch::Contains("must be a state that simulate saved"));
 }
+
+TEST_CASE("a run ends where bodies go through each other, and says which, when and how fast") {
+  const Folder folder;
+  // From rest under a gravity that makes it 45 m/s at the wall: nobody can know at the start.
+  const auto scene = [](const std::string& k, const std::string& gravity) {
+    return read_scene("s.json", R"({"duration": 0.2, "gravity": [0, 0, -)" + gravity + R"(],
+  "materials": {"g": {"density": 2000}, "w": {}},
+  "interactions": [{"between": ["g", "w"], "law": {"name": "linear", "k": )" +
+                                    k + R"(, "c": 0}}],
+  "spheres": [{"radius": 0.01, "material": "g", "position": [0, 0, 1.01]}],
+  "walls": [{"point": [0, 0, 0], "inward": [0, 0, 1], "material": "w"}]})");
+  };
+  // It falls 1 m in sqrt(2/1000) s = 0.0447 s; 0.015 m deep at 44.9 m/s less what the spring takes.
+  CHECK_THROWS_WITH(run(scene("1e4", "1000"), folder.path / "wall", false),
+                    Catch::Matchers::Matches("t = 0\\.045[0-9]* s: bodies 1 and wall1 have gone into each other by "
+                                             "more than 1\\.5 radii, at 4[0-4]\\.?[0-9]* m/s: a stiffer law, or slower "
+                                             "bodies, are needed\\. All before is written"));
+  CHECK(read(folder.path / "wall/trajectory.xyz").find("Time=0.044") != std::string::npos);
+  CHECK(run(scene("1e6", "1000"), folder.path / "stiff", false) == 0);
+  Scene coarse = scene("1e6", "1000");
+  coarse.options.step = 1e-3;
+  CHECK_THROWS_WITH(run(coarse, folder.path / "coarse", false),
+                    Catch::Matchers::Matches("t = 0\\.011 s: body 1 moves by more than its radius in a step, at "
+                                             "11 m/s: a smaller \"step\" is needed.*"));
+}

@@ -57,6 +57,16 @@ std::string complaint(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("brackets in brackets end somewhere, whatever they are in") {
+  const auto nested = [](std::size_t depth) {
+    return with("\"duration\": 0.01", "\"duration\": " + std::string(depth, '[') + std::string(depth, ']'));
+  };
+  CHECK(placed_complaint(nested(100'000)) == "s.json:2:78: brackets in more than 64 brackets; must be fewer");
+  CHECK(placed_complaint(nested(63)).find("/duration = [[[") != std::string::npos);
+  CHECK(placed_complaint(with("\"duration\"",
+                              "\"title\": \"" + std::string(1'000'000, '[') + "\\\"[\", \"duration\"")) == "accepted");
+}
+
 TEST_CASE("a scene is read with its defaults and a step that resolves the stiffest contact") {
   const Scene scene = read_scene("s.json", good);
   CHECK(scene.setup.spheres.size() == 2);
@@ -177,4 +187,33 @@ TEST_CASE("the scenes of the project are good scenes") {
     ++found;
   }
   CHECK(found >= 4);
+}
+
+TEST_CASE("a scene of bodies that would pass through each other is refused with the numbers") {
+  // Two spheres (r = 0.01 m, k = 1e4 kg/s²) at 100 m/s came out on the other side.
+  const auto at = [](double speed, const std::string& aside = "0") {
+    return R"({"duration": 0.01, "materials": {"g": {"density": 2000}},
+  "interactions": [{"between": ["g", "g"], "law": {"name": "linear", "k": 1e4, "c": 0}}],
+  "spheres": [{"radius": 0.01, "material": "g", "position": [0, 0, 0], "velocity": [)" +
+           std::to_string(speed) + R"(, 0, 0]},
+    {"radius": 0.01, "material": "g", "position": [0.03, )" +
+           aside + R"(, 0]}]})";
+  };
+  // m_eff = m/2 = 4.18879e-3 kg: v t_col/pi = v sqrt(m_eff/k) = 6.47e-4 s v
+  CHECK(placed_complaint(at(100)) ==
+        "s.json:4:5: /spheres/1: meets /spheres/0 at 100 m/s and would go 0.0647 m into it (v t_col/pi), past a radius "
+        "of 0.01 m; it must be slower, or their law stiffer");
+  CHECK(placed_complaint(at(23.10)) == "accepted");
+  CHECK(placed_complaint(at(23.25)) != "accepted");
+  CHECK(read_scene("s.json", at(15.40)).remark.empty());
+  CHECK(read_scene("s.json", at(15.50)).remark ==
+        "/spheres/1 meets /spheres/0 at 15.5 m/s and would go 0.01 m into it (v t_col/pi), past a radius of 0.01 m");
+  CHECK(placed_complaint(at(100, "0.0201")) == "accepted");     // flies by
+  CHECK(placed_complaint(at(100, "0.0199999")) == "accepted");  // grazes
+  CHECK(placed_complaint(at(-100)) == "accepted");
+  const std::string falling =
+      with("\"position\": [0, 0, 0.02]", "\"position\": [0, 0, 0.02], \"velocity\": [0, 0, -80]");
+  CHECK(placed_complaint(falling).find("/spheres/0: meets wall1 at 80 m/s and would go ") != std::string::npos);
+  CHECK(placed_complaint(with("\"position\": [0, 0, 0.02]", "\"position\": [0, 0, 0.9], \"velocity\": [0, 0, -80]")) ==
+        "accepted");  // not within the run
 }

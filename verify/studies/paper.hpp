@@ -87,7 +87,7 @@ struct FiveSpheres {
                              {0.009, 1000, {-0.001, 0.1, 0.18}}}};
   double k = 1000, c = 1;
   double strong_alpha = 0.01, weak_alpha = 0.97;
-  double mu_static = 0.5, mu_dynamic = 0.5, decay = 0;
+  double mu_static = 0.5, mu_dynamic = 0.5, decay = 0, rolling_arm = 1;
   /// Fig. 9 prints durations beside its bars; those that can be read (the first ends in 8 or so), and its axis [s].
   std::array<double, 4> durations{1.108e-3, 1.125e-3, 0.48e-3, 0.20e-3};
   double sequence_axis = 7e-3;

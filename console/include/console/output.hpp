@@ -36,8 +36,9 @@ class AtomicFile {
   int file_ = -1;
 };
 
-/// Files of one folder that appear together or not at all: written into a folder inside it that passes, made durable,
-/// and put in their places by commit(), while signals wait. Otherwise as AtomicFile.
+/// Files of one folder that appear together or not at all: written into a folder inside it that passes (where one is a
+/// link, beside its end), made durable, and put in their places by commit(), while signals wait; where one cannot be,
+/// all others are taken back. Otherwise as AtomicFile.
 class OutputFolder {
  public:
   /// Makes the folder if it is missing; throws BadInput with the reason when it cannot.
@@ -51,10 +52,18 @@ class OutputFolder {
   void commit();
 
  private:
+  struct File {
+    std::string shown, target, staged, kept;  // `kept`: what the target was
+    std::unique_ptr<Passing> passing;
+    int put() const noexcept;
+    void take_back() const noexcept;
+  };
+  File stage(const std::string& name, const std::string& shown, const std::string& target);
+
   std::string path_;
   bool made_;  // by us: gone again if nothing comes into it
   std::unique_ptr<ScratchFolder> staging_;
-  std::vector<std::string> names_;
+  std::vector<File> files_;
 };
 
 /// Where a program's answer goes: the file, whole or not at all, or stdout (empty path) as it comes.

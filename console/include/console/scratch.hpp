@@ -8,8 +8,9 @@ namespace ricochet::console {
 
 class Passing;
 
-/// A folder for this process alone that is gone, with the files in it, at the end of the scope and on SIGINT, SIGTERM
-/// or SIGHUP. It holds files only.
+/// A folder for this process alone that is gone, with the files in it, at the end of the scope and on a signal that
+/// ends the program. It holds files only. What an end that nothing can catch leaves is removed by the next one made
+/// in the same place.
 class ScratchFolder {
  public:
   /// Among the system's temporary files. Throws CannotWrite.
@@ -27,9 +28,10 @@ class ScratchFolder {
   std::string read(const std::string& name) const;
 
  private:
-  int make() noexcept;
+  int make(const std::string& inside, std::string_view prefix) noexcept;
 
   std::string path_;
+  int held_ = -1;  // open, and locked, as long as the folder is ours
   std::unique_ptr<Passing> passing_;
 };
 

@@ -2,10 +2,14 @@
 
 #include <array>
 #include <csignal>
+#include <cstddef>
 
 namespace ricochet::console {
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP is only noted, for work that can be stopped at a good place and
+/// Of SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2 and SIGALRM: a terminal, a scheduler or a limit asks to end.
+inline constexpr std::size_t stopping_signals = 7;
+
+/// While it lives, the first of these signals is only noted, for work that can be stopped at a good place and
 /// continued later; a second one ends the program at once, as it ever does. Signals that are ignored (nohup) stay so.
 class StopOnSignal {
  public:
@@ -18,10 +22,11 @@ class StopOnSignal {
   static int noted() noexcept;
 
  private:
-  std::array<struct sigaction, 3> before_{};
+  std::array<struct sigaction, stopping_signals> before_{};
 };
 
-/// Holds SIGINT, SIGTERM and SIGHUP back until the end of the scope: for files that are put in their places together.
+/// Holds every signal that ends a program back until the end of the scope: for files that are put in their places
+/// together.
 class SignalsHeld {
  public:
   SignalsHeld() noexcept;

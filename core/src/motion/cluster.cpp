@@ -192,4 +192,16 @@ void Cluster::restore(ClusterState state) {
   group_contacts();
 }
 
+std::optional<Breakthrough> Cluster::breakthrough() const noexcept {
+  for (const ContactState& c : state_.contacts) {
+    const auto [i, j] = std::pair(c.record.i, c.record.j);
+    if (c.approach.overlap > Breakthrough::share * (j < size() ? std::min(radii_[i], radii_[j]) : radii_[i]))
+      return Breakthrough{i, j, norm(relative_velocity(i, j))};
+  }
+  for (std::uint32_t i = 0; i < size(); ++i)
+    if (const double speed = norm(state_.velocities[i]); speed * options_.step > radii_[i])
+      return Breakthrough{i, i, speed};
+  return std::nullopt;
+}
+
 }  // namespace ricochet

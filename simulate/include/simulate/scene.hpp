@@ -16,6 +16,7 @@ struct Scene {
   std::uint64_t output_every = 1;  ///< steps
   StiffestContact stiffest;
   std::vector<std::string> body_names;  ///< spheres 1, 2, …; walls as named, or wall1, wall2, …
+  std::string remark;                   ///< what the user should know before the run; mostly empty
   std::string fingerprint;              ///< of everything above that the file says, for --resume
 };
 

@@ -15,8 +15,9 @@ ClusterSetup five_spheres(Choice choice) {
     const auto& [x, y, z] = ball.position;
     setup.spheres.push_back({ball.radius, ball.density, {x, y, z}, {0, 0, ball.velocity_z}, {}, 0});
   }
-  setup.interactions.insert(
-      {{0, 0}, {Fractional(choice.k, choice.c, choice.alpha), Friction(five.mu_static, five.mu_dynamic, five.decay)}});
+  setup.interactions.insert({{0, 0},
+                             {Fractional(choice.k, choice.c, choice.alpha),
+                              Friction(five.mu_static, five.mu_dynamic, five.decay, five.rolling_arm)}});
   return setup;
 }
 

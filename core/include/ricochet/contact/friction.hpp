@@ -22,8 +22,9 @@ class Friction {
   /// No friction at all.
   Friction() = default;
   /// μ(u) = μ_d + (μ_s − μ_d) exp(−a u), Eq. (35): 0 ≤ μ_d ≤ μ_s, a ≥ 0 [s/m]; `rolling_arm` ρ ≥ 0 is the arm of the
-  /// rolling resistance in units of the contact radius (46). Throws std::invalid_argument otherwise.
-  Friction(double mu_static, double mu_dynamic, double decay, double rolling_arm = 1);
+  /// rolling resistance in units of the contact radius (46), 1 in the paper's own cases; 0: ordinary grains, which keep
+  /// their spin (Chung & Ooi, Granular Matter 13, 643 (2011), test 4). Throws std::invalid_argument otherwise.
+  Friction(double mu_static, double mu_dynamic, double decay, double rolling_arm = 0);
 
   double coefficient(double speed) const noexcept {
     return mu_dynamic_ + (mu_static_ - mu_dynamic_) * std::exp(-decay_ * speed);

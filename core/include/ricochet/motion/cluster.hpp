@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,6 +57,15 @@ struct ClusterState {
   double worst_change = 0;  ///< of their last sweeps' greatest changes, relative to the greatest impulse of the step
 };
 
+/// Where a motion says nothing any more: bodies that went into each other by more than 1.5 of the smaller radius (the
+/// softest of the paper's own cases goes in by more than 1), on the way to the other side; or a sphere (`j` is then
+/// `i`) that a single step moves by its radius, so that it could miss whom it meets.
+struct Breakthrough {
+  static constexpr double share = 1.5;
+  std::uint32_t i = 0, j = 0;  ///< bodies; walls count from the number of spheres
+  double speed = 0;            ///< at which they approach, or the sphere flies [m/s]
+};
+
 /// Spheres and walls in motion: any normal law for each pair of materials, also one of your own, friction with torsion
 /// and rolling (Sec. II of the paper), gravity, other forces. Can be moved, not copied: `state` and `restore` carry a
 /// motion from one cluster to another.
@@ -95,6 +105,9 @@ class Cluster {
   std::span<const ContactState> contacts() const noexcept { return state_.contacts; }
   /// Collisions whose pairs have separated since the last call, in the order of their separation.
   std::vector<Encounter> take_finished();
+
+  /// The first of the bodies, by number, of which that is so; costs a look at each contact and sphere.
+  std::optional<Breakthrough> breakthrough() const noexcept;
 
   int last_sweeps() const noexcept { return sweeps_; }  ///< that the last step took
   bool last_converged() const noexcept { return converged_; }
