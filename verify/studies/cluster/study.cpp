@@ -123,13 +123,14 @@ std::string verdict(const std::vector<Run>& strong, const std::vector<Run>& weak
   return fmt::format(
       "With the printed k = 1000 the strong collisions ({} ms on average) overlap too, {:.0f} % of the time; at k = "
       "1e6 {:.0f} %, and they are binary as the paper shows them. Weak ones ({} ms) are multiparticle at every k, up "
-      "to {} pairs at once. Fig. 9 prints durations of at most {} ms: k and c look short of a factor. Against sphere 5 "
+      "to {} pairs at once. Durations that can be read in Fig. 9 are at most {} ms: k and c look short of a factor. "
+      "Against sphere 5 "
       "sphere 1 spins at up to {:.1f} 1/s in its tangent plane in the strong and {:.1f} 1/s in the weak state, where "
       "the paper has less in the strong one.",
       console::significant(1e3 * s.mean_duration, 3), 100 * s.shared, 100 * at_once(at(strong, 1e6)).shared,
       console::significant(1e3 * w.mean_duration, 3), w.most_pairs,
       console::significant(
-          1e3 * *std::max_element(paper::five_spheres.durations.begin(), paper::five_spheres.durations.end()), 3),
+          1e3 * *std::max_element(paper::five_spheres.durations.begin(), paper::five_spheres.durations.end()), 4),
       spin(strong.front()), spin(weak.front()));
 }
 
