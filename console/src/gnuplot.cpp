@@ -14,14 +14,24 @@ std::string quoted(const std::string& text) {
   return fmt::format("'{}'", inside);
 }
 
+std::string tics_of(const Axis& axis) {
+  if (axis.names.empty()) return axis.tics ? shortest(*axis.tics) : "autofreq";
+  std::vector<std::string> places;
+  for (const std::string& text : axis.names) places.push_back(fmt::format("{} {}", quoted(text), places.size()));
+  return fmt::format("({})", fmt::join(places, ", "));
+}
+
 std::string words_of(char name, const Axis& axis) {
   const std::string range =
       axis.range ? fmt::format("{}:{}", shortest(axis.range->first), shortest(axis.range->second)) : "*:*";
   const std::string label = axis.label.empty()
                                 ? fmt::format("unset {}label", name)
                                 : fmt::format("set {}label {} offset {}", name, quoted(axis.label), axis.label_offset);
-  return fmt::format("set {0}range [{1}]\n{2} logscale {0}\nset format {0} {3}\n{4}\n", name, range,
-                     axis.log ? "set" : "unset", axis.format ? quoted(*axis.format) : "", label);
+  // A range with 0 is set before the axis becomes logarithmic, or after it has ceased to be.
+  return fmt::format(
+      "unset logscale {0}\nset {0}range [{1}]\n{2}set format {0} {3}\nset {0}tics {4}\n{5}\n{6}\n", name, range,
+      axis.log ? fmt::format("set logscale {}\n", name) : "", axis.format ? quoted(*axis.format) : "", tics_of(axis),
+      axis.minor_tics ? fmt::format("set m{}tics default", name) : fmt::format("unset m{}tics", name), label);
 }
 
 std::string words_of(const Curve& curve, bool titled) {
@@ -42,20 +52,42 @@ std::string words_of(const std::vector<Curve>& curves, bool titled) {
   return fmt::format("plot {}\n", fmt::join(all, ", \\\n  "));
 }
 
-std::string words_of(const Panel& panel) {
-  return words_of('x', panel.x) + words_of('y', panel.y) +
+std::string words_of(const std::vector<Polygon>& polygons) {
+  std::string words = "unset object\n";
+  for (const Polygon& p : polygons) {
+    std::vector<std::string> corners;
+    for (const auto& [x, y] : p.corners) corners.push_back(fmt::format("{},{}", shortest(x), shortest(y)));
+    corners.push_back(corners.front());
+    words += fmt::format("set object polygon from {} {}\n", fmt::join(corners, " to "), p.style);
+  }
+  return words;
+}
+
+std::string words_of(const std::vector<Label>& labels) {
+  std::string words = "unset label\n";
+  for (const Label& l : labels)
+    words += fmt::format("set label {} at {},{} {}\n", quoted(l.text), shortest(l.x), shortest(l.y), l.style);
+  return words;
+}
+
+/// All but its curves.
+std::string surroundings_of(const Panel& panel) {
+  return (panel.title.empty() ? "unset title\n" : fmt::format("set title {} offset 0,-0.5\n", quoted(panel.title))) +
+         words_of('x', panel.x) + words_of('y', panel.y) + words_of(panel.labels) + words_of(panel.polygons) +
          (panel.key.empty() ? "unset key\n" : fmt::format("set key {}\n", panel.key)) +
          (panel.room.empty() ? "unset offsets\n" : fmt::format("set offsets {}\n", panel.room)) +
          (panel.zero_line ? "set xzeroaxis lt 1 lc rgb 'black' lw 0.7\n" : "unset xzeroaxis\n") +
-         words_of(panel.curves, !panel.key.empty());
+         (panel.equal_scales ? "set size ratio -1\n" : "set size noratio\n");
 }
 
-/// A key needs curves to stand for: those of `panel`, with nothing to draw.
-std::string key_alone(Panel panel, const std::string& place) {
-  for (Curve& curve : panel.curves) curve = {.what = "NaN", .style = curve.style, .title = curve.title};
+std::string words_of(const Panel& panel) { return surroundings_of(panel) + words_of(panel.curves, !panel.key.empty()); }
+
+/// A key needs curves to stand for: these, with nothing to draw.
+std::string key_alone(std::vector<Curve> curves, const std::string& place) {
+  for (Curve& curve : curves) curve = {.what = "NaN", .style = curve.style, .title = curve.title};
   const Axis unit{.range = std::pair(0.0, 1.0)};
-  return "unset border\nunset tics\nunset grid\n" +
-         words_of(Panel{.x = unit, .y = unit, .curves = panel.curves, .key = place});
+  return surroundings_of({.x = unit, .y = unit, .key = place}) + "unset border\nunset tics\nunset grid\n" +
+         words_of(curves, true);
 }
 
 std::string words_of(const Layout& layout) {
@@ -70,7 +102,8 @@ std::string words_of(const Layout& layout) {
 std::string script_of(const Plot& plot) {
   std::string script = plot.layout ? words_of(*plot.layout) : "";
   for (const Panel& panel : plot.panels) script += words_of(panel);
-  if (!plot.key_panel.empty()) script += key_alone(plot.panels.front(), plot.key_panel);
+  if (!plot.key_panel.empty())
+    script += key_alone(plot.key.empty() ? plot.panels.front().curves : plot.key, plot.key_panel);
   return plot.layout ? script + "unset multiplot\n" : script;
 }
 

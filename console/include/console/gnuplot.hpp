@@ -16,7 +16,10 @@ struct Axis {
   bool log = false;
   std::optional<std::pair<double, double>> range = {};  ///< without: gnuplot's choice
   std::optional<std::string> format = {};               ///< of the numbers, as printf; "" leaves them out
-  std::string label_offset = "0,0";                     ///< in characters
+  std::optional<double> tics = {};      ///< their distance, on a log axis the factor; without: gnuplot's choice
+  bool minor_tics = true;               ///< as gnuplot has them: on a log axis
+  std::string label_offset = "0,0";     ///< in characters
+  std::vector<std::string> names = {};  ///< in place of numbers, at 0, 1, 2, …
 };
 
 /// Columns of one of the figure's data files, of which the first line is a header; or, without a file, an expression.
@@ -28,12 +31,29 @@ struct Curve {
   std::string title = {};                 ///< in the key of a panel that has one
 };
 
+/// Words at a place of the axes; `style` is where they stand to it and their colour, "right tc rgb '#767676'".
+struct Label {
+  std::string text = {};
+  double x = 0, y = 0;
+  std::string style = {};
+};
+
+/// A closed line through corners of the axes' numbers.
+struct Polygon {
+  std::vector<std::pair<double, double>> corners = {};
+  std::string style = {};  ///< "fs solid 0.15 fc lt 1"
+};
+
 struct Panel {
+  std::string title = {};
   Axis x = {}, y = {};
   std::vector<Curve> curves = {};
   std::string key = {};    ///< where it stands, "outside right center"; without: there is none
   std::string room = {};   ///< around what an axis without a range must hold, "graph 0,0.02,0.03,0"
   bool zero_line = false;  ///< a black line at y = 0
+  std::vector<Label> labels = {};
+  std::vector<Polygon> polygons = {};
+  bool equal_scales = false;  ///< a unit is as long on x as on y
 };
 
 /// Panels in rows, from the left above; all measures are shares of the picture.
@@ -46,7 +66,8 @@ struct Layout {
 struct Plot {
   std::vector<Panel> panels = {};  ///< one, where there is no layout
   std::optional<Layout> layout = {};
-  std::string key_panel = {};  ///< the place in one panel more, without axes, of a key to the first one's curves
+  std::string key_panel = {};   ///< the place in one panel more, without axes, of a key
+  std::vector<Curve> key = {};  ///< to these; without: to the first panel's curves
 };
 
 /// The script of a Figure. Every panel says all that is said about it, nothing stays from the one before.

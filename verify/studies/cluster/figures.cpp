@@ -1,5 +1,6 @@
 #include "figures.hpp"
 
+#include <console/gnuplot.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -7,14 +8,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <utility>
 
 namespace ricochet::verify::cluster {
 namespace {
 
+using console::Curve;
 using console::DataFile;
 using console::Figure;
+using console::Panel;
 using console::shortest;
 
 // One a sphere, and in the other figures strong and weak repulsion.
@@ -46,7 +50,7 @@ int column(int sphere, int quantity) { return 2 + 9 * (sphere - 1) + quantity; }
 
 DataFile circles(const Run& run) {
   std::string csv = "y [m],z [m],r [m],sphere\n";
-  const ClusterSetup setup = five_spheres(run.alpha, run.k);
+  const ClusterSetup setup = five_spheres(run.law);
   for (std::size_t i = 0; i < 5; ++i)
     csv += fmt::format("{},{},{},{}\n", shortest(setup.spheres[i].position.y), shortest(setup.spheres[i].position.z),
                        shortest(setup.spheres[i].radius), i + 1);
@@ -71,53 +75,75 @@ std::string last_speed(const Run& run) {
   return fmt::format("{} m/s", console::significant(std::hypot(v.x, v.y, v.z), 3));
 }
 
-/// One quantity of sphere 1, less `from`, for both runs.
-struct Panel {
-  const char* label = "";
-  std::array<const char*, 3> names{};
-  Vec3 from{};
-  int first = 0;
+/// Spin of sphere 1 in the frame of its contact with sphere 5, while the two collide; a block a run.
+DataFile local_spins(const Run& strong, const Run& weak) {
+  std::string csv = "t [s],w_xi [1/s],w_eta [1/s],w_zeta [1/s]\n";
+  for (const Run* run : {&strong, &weak}) {
+    if (run == &weak) csv += "\n\n";
+    for (const auto& [time, spin] : spins_against(*run, 0, 4)) {
+      csv += shortest(time);
+      add(csv, spin);
+      csv += "\n";
+    }
+  }
+  return {"cluster-local-spins.csv", csv};
+}
+
+/// One component: where it is drawn from, its colour and name.
+struct Component {
+  const char* name;
+  int column, colour;
 };
 
-std::string plot(const Panel& panel) {
-  const std::array from{panel.from.x, panel.from.y, panel.from.z};
-  std::string script = fmt::format("set ylabel '{}'\n", panel.label);
-  std::string separator = "plot ";
-  for (int c = 0; c < 3; ++c)
-    for (const auto& [file, dash, word] :
-         {std::tuple("cluster-strong.csv", "dt (6,4)", "strong"), std::tuple("cluster-weak.csv", "dt 1", "weak")}) {
-      script += fmt::format("{}'{}' skip 1 using (1000*$1):(${}-({})) with lines lw 2 {} lc rgb '{}' title '{}, {}'",
-                            separator, file, column(1, panel.first + c), shortest(from[c]), dash, colours[c],
-                            panel.names[c], word);
-      separator = ", \\\n  ";
+/// Dashed in the strong state, solid in the weak one; the states are two files, or two blocks of `file`.
+Panel panel(const std::string& label, std::initializer_list<Component> components, const std::string& file = {}) {
+  Panel panel{.y = {.label = label, .minor_tics = false},
+              .key = "outside right center samplen 2",
+              .room = "0,0,graph 0.05,graph 0.05"};
+  for (const Component& c : components)
+    for (const bool weak : {false, true}) {
+      Curve curve{.file = weak ? "cluster-weak.csv" : "cluster-strong.csv",
+                  .what = fmt::format("(1000*$1):{}", c.column),
+                  .style = fmt::format("lines lw 2 {} lc rgb '{}'", weak ? "dt 1" : "dt (6,4)", colours[c.colour]),
+                  .title = fmt::format("{}, {}", c.name, weak ? "weak" : "strong")};
+      if (!file.empty()) curve.file = file, curve.block = weak ? 1 : 0;
+      panel.curves.push_back(curve);
     }
-  return script + "\n";
+  return panel;
+}
+
+/// The five ways of one run, seen along x, and where they begin.
+Panel ways(const char* title, const char* file) {
+  Panel panel{.title = title,
+              .x = {.label = "y [m]", .range = std::pair(-0.01, 0.2), .tics = 0.04, .minor_tics = false},
+              .y = {.label = "z [m]", .range = std::pair(0.0, 0.26), .tics = 0.04, .minor_tics = false},
+              .key = "bottom right samplen 1.5",
+              .equal_scales = true};
+  panel.curves = {{.file = "cluster-start.csv", .what = "1:2:3", .style = "circles lc rgb '#767676' fs empty"},
+                  {.file = "cluster-start.csv",
+                   .what = "($1+($4==3||$4==5?-1:1)*($3+0.006)):2:4",
+                   .style = "labels font ',12' tc rgb '#767676'"}};
+  for (int i = 1; i <= 5; ++i)
+    panel.curves.push_back({.file = file,
+                            .what = fmt::format("{}:{}", column(i, 1), column(i, 2)),
+                            .style = fmt::format("lines lw 2.2 lc rgb '{}'", colours[i - 1]),
+                            .title = fmt::format("sphere {}", i)});
+  return panel;
 }
 
 }  // namespace
 
 Figure trajectories(const Run& strong, const Run& weak) {
-  std::string script =
-      "set multiplot layout 1,2 margins 0.10,0.98,0.11,0.94 spacing 0.08,0.1\nset size ratio -1\n"
-      "set xrange [-0.01:0.2]\nset yrange [0:0.26]\nset xtics 0.04\nset ytics 0.04\n"
-      "set xlabel 'y [m]'\nset key bottom right samplen 1.5\n";
-  for (const auto& [title, file, z] :
-       {std::tuple("strong repulsion, α = 0.01", "cluster-strong.csv", "set ylabel 'z [m]'\n"),
-        std::tuple("weak repulsion, α = 0.97", "cluster-weak.csv", "unset ylabel\n")}) {
-    script += fmt::format(
-        "{}set title '{}'\nplot 'cluster-start.csv' skip 1 using 1:2:3 with circles lc rgb '#767676' fs empty notitle"
-        ", \\\n  '' skip 1 using ($1+($4==3||$4==5?-1:1)*($3+0.006)):2:4 with labels font ',12' tc rgb '#767676' "
-        "notitle",
-        z, title);
-    for (int i = 1; i <= 5; ++i)
-      script += fmt::format(", \\\n  '{}' skip 1 using {}:{} with lines lw 2.2 lc rgb '{}' title 'sphere {}'", file,
-                            column(i, 1), column(i, 2), colours[i - 1], i);
-    script += "\n";
-  }
+  console::Plot plot{
+      .panels = {ways("strong repulsion, α = 0.01", "cluster-strong.csv"),
+                 ways("weak repulsion, α = 0.97", "cluster-weak.csv")},
+      .layout = console::Layout{
+          .columns = 2, .left = 0.10, .right = 0.98, .bottom = 0.14, .top = 0.94, .between_columns = 0.08}};
+  plot.panels.back().y.label = "";
   return {
       .name = "cluster-trajectories",
       .caption = "Fig. 7: trajectories of the five spheres, seen along x; circles: where they start.",
-      .script = script + "unset multiplot\n",
+      .script = console::script_of(plot),
       .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), circles(strong)},
       .width = 900,
       .height = 560,
@@ -127,54 +153,62 @@ Figure trajectories(const Run& strong, const Run& weak) {
 }
 
 Figure velocities(const Run& strong, const Run& weak) {
-  std::string script =
-      "set multiplot layout 2,1 margins 0.09,0.78,0.10,0.97 spacing 0.1,0.04\n"
-      "set key outside right center samplen 2\n";
-  // Next to its first velocity, along z, what the collisions change would be lines on top of each other.
-  script += "set format x ''\n";
-  script += plot(
-      {"velocity of sphere 1, less its first [m/s]", {"Δv_x", "Δv_y", "Δv_z"}, strong.samples.front().velocity[0], 3});
-  script += "set format x '%g'\nset xlabel 't [ms]'\n";
-  script += plot({"spin of sphere 1 [1/s]", {"ω_x", "ω_y", "ω_z"}, {}, 6});
-  return {.name = "cluster-velocities",
-          .caption =
-              "Fig. 8: velocity of sphere 1, less its first, and spin; dashed: strong repulsion (α = 0.01), solid: "
-              "weak (α = 0.97).",
-          .script = script + "unset multiplot\n",
-          .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv")},
-          .width = 900,
-          .height = 680,
-          .finding = fmt::format("Sphere 1 leaves at {} after strong and at {} after weak collisions.",
-                                 last_speed(strong), last_speed(weak))};
+  // Along z sphere 1 is an order of magnitude faster than across: a panel of its own.
+  std::vector<Panel> panels{
+      panel("v_x, v_y [m/s]", {{"v_x", column(1, 3), 0}, {"v_y", column(1, 4), 1}}),
+      panel("v_z [m/s]", {{"v_z", column(1, 5), 2}}),
+      panel("ω_x, ω_y, ω_z [1/s]", {{"ω_x", column(1, 6), 0}, {"ω_y", column(1, 7), 1}, {"ω_z", column(1, 8), 2}}),
+      panel("ω_ξ, ω_η against 5 [1/s]", {{"ω_ξ", 2, 3}, {"ω_η", 3, 4}}, "cluster-local-spins.csv")};
+  for (Panel& p : panels) p.x = {.range = std::pair(0.0, 1e3 * strong.samples.back().time), .format = ""};
+  panels.back().x.format = {};
+  panels.back().x.label = "t [ms]";
+  return {
+      .name = "cluster-velocities",
+      .caption =
+          "Fig. 8: velocity and spin of sphere 1, and its spin in the frame of its contact with sphere 5 "
+          "while the two collide; dashed: strong repulsion (α = 0.01), solid: weak (α = 0.97).",
+      .script = console::script_of(
+          {.panels = panels,
+           .layout =
+               console::Layout{
+                   .rows = 4, .left = 0.12, .right = 0.81, .bottom = 0.07, .top = 0.98, .between_rows = 0.03}}),
+      .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), local_spins(strong, weak)},
+      .width = 900,
+      .height = 980,
+      .finding = fmt::format("Sphere 1 leaves at {} after strong and at {} after weak collisions. Rolling on sphere "
+                             "5 it turns at up to {:.1f} 1/s under strong and {:.1f} 1/s under weak repulsion.",
+                             last_speed(strong), last_speed(weak), greatest_tangential(strong, 0, 4),
+                             greatest_tangential(weak, 0, 4))};
 }
 
 Figure sequence(const Run& strong, const Run& weak, double until) {
   // One line a pair, in the order of the first touch; strong above weak.
   std::map<std::string, int> rows;
-  std::string tics;
+  std::vector<std::string> pairs;
   for (const Run* run : {&strong, &weak})
     for (const Encounter& e : run->collisions)
-      if (rows.emplace(pair_name(e), static_cast<int>(rows.size())).second)
-        tics += fmt::format("{}'{}' {}", tics.empty() ? "" : ", ", pair_name(e), rows.size() - 1);
+      if (rows.emplace(pair_name(e), static_cast<int>(rows.size())).second) pairs.push_back(pair_name(e));
   std::string csv = "pair,row,t_begin [s],t_end [s],weak\n";
   for (const Run* run : {&strong, &weak})
     for (const Encounter& e : run->collisions)
       csv +=
           fmt::format("{},{},{},{},{}\n", pair_name(e), shortest(rows[pair_name(e)] + (run == &strong ? -0.13 : 0.13)),
                       shortest(e.begin), shortest(std::min(e.end, until)), run == &strong ? 0 : 1);
-  const auto line = [](int which, const char* colour, const char* title) {
-    return fmt::format(
-        "'cluster-sequence.csv' skip 1 using ($5=={}?1000*$3:NaN):2:(1000*($4-$3)):(0) with vectors nohead lw 7 lc rgb "
-        "'{}' title '{}'",
-        which, colour, title);
+  const auto bars = [](int which, const char* title) {
+    return Curve{.file = "cluster-sequence.csv",
+                 .what = fmt::format("($5=={}?1000*$3:NaN):2:(1000*($4-$3)):(0)", which),
+                 .style = fmt::format("vectors nohead lw 7 lc rgb '{}'", colours[which]),
+                 .title = title};
   };
+  const Panel panel{
+      .x = {.label = "t [ms]", .range = std::pair(0.0, 1e3 * until)},
+      .y = {.label = "pair", .range = std::pair(static_cast<double>(rows.size()) - 0.4, -0.6), .names = pairs},
+      .curves = {bars(0, "strong, α = 0.01"), bars(1, "weak, α = 0.97")},
+      .key = "top right samplen 2"};
   const auto shared = [until](const Run& run) { return 100 * overlap(run.collisions, until).shared; };
   return {.name = "cluster-sequence",
           .caption = "Fig. 9: when each pair collides, from the first touch to the first zero of the force.",
-          .script = fmt::format("set xlabel 't [ms]'\nset ylabel 'pair'\nset yrange [{}-0.4:-0.6]\nset ytics ({})\n"
-                                "set grid x\nset xrange [0:*]\nset key top right samplen 2\nplot {}, \\\n  {}\n",
-                                rows.size(), tics, line(0, colours[0], "strong, α = 0.01"),
-                                line(1, colours[1], "weak, α = 0.97")),
+          .script = console::script_of({.panels = {panel}}),
           .data = {{"cluster-sequence.csv", csv}},
           .width = 800,
           .height = 400,
@@ -187,20 +221,24 @@ Figure binary(const std::vector<Run>& strong, const std::vector<Run>& weak, doub
   std::string csv = "k [kg/s^2],shared strong,pairs strong,shared weak,pairs weak\n";
   for (std::size_t n = 0; n < strong.size(); ++n) {
     const Overlap s = overlap(strong[n].collisions, until), w = overlap(weak[n].collisions, until);
-    csv += fmt::format("{},{},{},{},{}\n", shortest(strong[n].k), shortest(s.shared), shortest(s.mean_pairs),
+    csv += fmt::format("{},{},{},{},{}\n", shortest(strong[n].law.k), shortest(s.shared), shortest(s.mean_pairs),
                        shortest(w.shared), shortest(w.mean_pairs));
   }
   const auto shared = [until](const Run& run) { return 100 * overlap(run.collisions, until).shared; };
+  const auto line = [](int which, const char* what, const char* title) {
+    return Curve{.file = "cluster-binary.csv",
+                 .what = what,
+                 .style = fmt::format("linespoints lw 2 pt {} lc rgb '{}'", 7 - 2 * which, colours[which]),
+                 .title = title};
+  };
+  const Panel panel{.x = {.label = "k [kg/s²]", .log = true, .range = std::pair(500.0, 2e7), .format = "10^{%T}"},
+                    .y = {.label = "collision time shared by several pairs [%]", .range = std::pair(-3.0, 100.0)},
+                    .curves = {line(0, "1:(100*$2)", "strong, α = 0.01"), line(1, "1:(100*$4)", "weak, α = 0.97")},
+                    .key = "top right"};
   return {
       .name = "cluster-binary",
       .caption = "Share of the collision time during which more than one pair collides, against the stiffness k.",
-      .script = fmt::format(
-          "set logscale x\nset xrange [500:2e7]\nset xlabel 'k [kg/s²]'\nset format x '10^{{%T}}'\n"
-          "set ylabel 'collision time shared by several pairs [%]'\nset yrange [-3:100]\n"
-          "set key top right\nplot 'cluster-binary.csv' skip 1 using 1:(100*$2) with linespoints lw 2 pt 7 lc rgb "
-          "'{}' title 'strong, α = 0.01', '' skip 1 using 1:(100*$4) with linespoints lw 2 pt 5 lc rgb '{}' title "
-          "'weak, α = 0.97'\n",
-          colours[0], colours[1]),
+      .script = console::script_of({.panels = {panel}}),
       .data = {{"cluster-binary.csv", csv}},
       .width = 700,
       .height = 430,

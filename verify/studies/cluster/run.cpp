@@ -1,7 +1,5 @@
 #include "run.hpp"
 
-#include "../paper.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,16 +8,16 @@
 
 namespace ricochet::verify::cluster {
 
-ClusterSetup five_spheres(double alpha, double k) {
+ClusterSetup five_spheres(Choice choice) {
   constexpr paper::FiveSpheres five = paper::five_spheres;
   ClusterSetup setup;
   for (const auto& ball : five.balls) {
     const auto& [x, y, z] = ball.position;
     setup.spheres.push_back({ball.radius, ball.density, {x, y, z}, {0, 0, ball.velocity_z}, {}, 0});
   }
-  setup.interactions.insert(
-      {{0, 0},
-       {Fractional(k, five.c, alpha), Friction(five.mu_static, five.mu_dynamic, five.decay, five.rolling_arm)}});
+  setup.interactions.insert({{0, 0},
+                             {Fractional(choice.k, choice.c, choice.alpha),
+                              Friction(five.mu_static, five.mu_dynamic, five.decay, five.rolling_arm)}});
   return setup;
 }
 
@@ -63,14 +61,14 @@ class Watch {
 
 }  // namespace
 
-Run run(double alpha, double k, double duration, double step, double sample_interval) {
+Run run(Choice choice, double duration, double step, double sample_interval) {
   const auto every = static_cast<std::uint64_t>(std::ceil(sample_interval / step - 1e-9));
   const double h = sample_interval / static_cast<double>(every);
-  const ClusterSetup setup = five_spheres(alpha, k);
+  const ClusterSetup setup = five_spheres(choice);
   // No contact outlasts the run; the kernel reaches as far.
   ricochet::Cluster cluster(setup,
                             {.step = h, .longest_contact = std::min(duration, 4e5 * h), .solver_tolerance = 1e-13});
-  Run run{.alpha = alpha, .k = k, .step = h, .samples = {sample(cluster)}, .collisions = {}};
+  Run run{.law = choice, .step = h, .samples = {sample(cluster)}, .collisions = {}};
   Watch watch(cluster, setup);
   const auto steps = static_cast<std::uint64_t>(std::llround(duration / h));
   for (std::uint64_t n = 1; n <= steps; ++n) {
@@ -79,6 +77,7 @@ Run run(double alpha, double k, double duration, double step, double sample_inte
     for (const Encounter& e : cluster.take_finished()) run.collisions.push_back(e);
     if (n % every == 0) run.samples.push_back(sample(cluster));
   }
+  run.kernel_error = cluster.kernel_error();
   for (const ContactState& c : cluster.contacts()) run.collisions.push_back(c.record);
   std::sort(run.collisions.begin(), run.collisions.end(),
             [](const Encounter& a, const Encounter& b) { return a.begin < b.begin; });
@@ -86,6 +85,35 @@ Run run(double alpha, double k, double duration, double step, double sample_inte
 }
 
 std::string pair_name(const Encounter& e) { return fmt::format("{}-{}", e.i + 1, e.j + 1); }
+
+const Encounter* collision_of(const Run& run, std::uint32_t i, std::uint32_t j) {
+  for (const Encounter& e : run.collisions)
+    if (e.i == i && e.j == j) return &e;
+  return nullptr;
+}
+
+Vec3 local_spin(const Sample& sample, std::size_t i, std::size_t j) {
+  const Vec3 branch = sample.position[j] - sample.position[i], normal = branch / norm(branch);
+  const Vec3 xi = Vec3{-normal.y, normal.x, 0} / std::hypot(normal.x, normal.y), eta = cross(normal, xi);
+  const Vec3 spin = sample.spin[i];
+  return {dot(spin, xi), dot(spin, eta), dot(spin, normal)};
+}
+
+double tangential(Vec3 local) { return std::hypot(local.x, local.y); }
+
+std::vector<LocalSpin> spins_against(const Run& run, std::uint32_t i, std::uint32_t j) {
+  std::vector<LocalSpin> spins;
+  if (const Encounter* e = collision_of(run, i, j))
+    for (const Sample& s : run.samples)
+      if (s.time >= e->begin && s.time <= e->end) spins.push_back({s.time, local_spin(s, i, j)});
+  return spins;
+}
+
+double greatest_tangential(const Run& run, std::uint32_t i, std::uint32_t j) {
+  double greatest = 0;
+  for (const LocalSpin& s : spins_against(run, i, j)) greatest = std::max(greatest, tangential(s.spin));
+  return greatest;
+}
 
 Overlap overlap(const std::vector<Encounter>& collisions, double until) {
   std::vector<std::pair<double, int>> events;

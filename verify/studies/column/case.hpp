@@ -45,6 +45,9 @@ ColumnResult run_fractional(double alpha, std::size_t beads, const ColumnCase& c
 /// Dissipated share (62) of the event-driven column; nothing if it collapses.
 std::optional<double> event_driven_share(std::size_t beads, const ColumnCase& c);
 
+/// Second order: the error of E/E0 is a small multiple of (h/t_col)² a collision. 5 is above what any law shows.
+inline double stated_error(const ColumnCase& c) { return 5.0 / (static_cast<double>(c.steps) * c.steps); }
+
 /// Dissipated share (62).
 inline double share(const ColumnResult& result) { return 1 - result.energy_ratio; }
 

@@ -1,5 +1,6 @@
 #include "figures.hpp"
 
+#include <console/gnuplot.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -38,12 +39,12 @@ std::string styled(const std::string& id) {
                               {"fractional alpha(nc)", "#D55E00", 5}};
   for (const Style& s : styles)
     if (id == s.id) {
-      if (s.point == 0) return fmt::format("with lines lw 2.5 lc rgb '{}'", s.colour);
+      if (s.point == 0) return fmt::format("lines lw 2.5 lc rgb '{}'", s.colour);
       const bool fitted = id == "fractional alpha(nc)";
-      return fmt::format("{} lc rgb '{}' pt {} ps {}", fitted ? "with points" : "with linespoints lw 1.4", s.colour,
-                         s.point, fitted ? "1.0" : "0.8");
+      return fmt::format("{} lc rgb '{}' pt {} ps {}", fitted ? "points" : "linespoints lw 1.4", s.colour, s.point,
+                         fitted ? "1.0" : "0.8");
     }
-  return "with linespoints";
+  return "linespoints";
 }
 
 std::string title(const std::string& id) {
@@ -54,52 +55,63 @@ std::string title(const std::string& id) {
   return id;
 }
 
-std::string plot(const std::string& file, const std::vector<ShareCurve>& curves) {
-  std::string script = "plot ";
+std::vector<console::Curve> drawn(const std::string& file, const std::vector<ShareCurve>& curves) {
+  std::vector<console::Curve> all;
   for (std::size_t i = 0; i < curves.size(); ++i)
-    script += fmt::format("{}'{}' skip 1 using 1:{} {} title \"{}\"", i ? ", \\\n  " : "", file, i + 2,
-                          styled(curves[i].id), title(curves[i].id));
-  return script + "\n";
+    all.push_back({.file = file,
+                   .what = fmt::format("1:{}", i + 2),
+                   .style = styled(curves[i].id),
+                   .title = title(curves[i].id)});
+  return all;
 }
 
-constexpr const char* common = "set ylabel 'dissipated share of the kinetic energy'\nset yrange [0:1]\n";
+constexpr const char* share_label = "dissipated share of the kinetic energy";
+constexpr const char* key = "outside right center reverse Left spacing 1.3";
 
 }  // namespace
 
 console::Figure share_figure(const std::vector<std::size_t>& beads, const std::vector<ShareCurve>& curves) {
   const std::vector<double> x(beads.begin(), beads.end());
   const bool wide = beads.back() > 100;
-  std::string script = common;
-  script += "set xlabel 'number of beads n_c'\n";
-  script += wide ? fmt::format("set logscale x\nset xrange [1:{}]\n", beads.back())
-                 : fmt::format("set xrange [0:{}]\n", beads.back() + 1);
+  const auto most = static_cast<double>(beads.back());
+  const console::Axis number{
+      .label = "number of beads n_c", .log = wide, .range = wide ? std::pair(1.0, most) : std::pair(0.0, most + 1)};
   // Left the whole range, right the laws that detach, drawn larger.
-  const std::string drawn = plot("column-share.csv", curves);
-  script += fmt::format(
-      "set multiplot\nunset key\nset size 0.40, 1\nset origin 0, 0\nset title 'all'\n{}"
-      "set size 0.60, 1\nset origin 0.40, 0\nset title 'the same, enlarged'\nunset ylabel\nset yrange [0:0.25]\n"
-      "set key outside right center reverse Left spacing 1.3\n{}unset multiplot\n",
-      drawn, drawn);
-  return {.name = "column-share",
-          .caption =
-              "Dissipated share (62) of a column of beads that falls on a plate, against the number of beads; "
-              "right the laws with constant parameters, enlarged.",
-          .script = script,
-          .data = {{"column-share.csv", csv("nc", x, curves)}},
-          .width = 1150,
-          .height = 460};
+  const console::Panel all{.title = "all",
+                           .x = number,
+                           .y = {.label = share_label, .range = std::pair(0.0, 1.0)},
+                           .curves = drawn("column-share.csv", curves)};
+  const console::Panel enlarged{.title = "the same, enlarged",
+                                .x = number,
+                                .y = {.range = std::pair(0.0, 0.25)},
+                                .curves = all.curves,
+                                .key = key};
+  return {
+      .name = "column-share",
+      .caption =
+          "Dissipated share (62) of a column of beads that falls on a plate, against the number of beads; "
+          "right the laws with constant parameters, enlarged.",
+      .script = console::script_of(
+          {.panels = {all, enlarged},
+           .layout =
+               console::Layout{
+                   .columns = 2, .left = 0.07, .right = 0.725, .bottom = 0.17, .top = 0.91, .between_columns = 0.06}}),
+      .data = {{"column-share.csv", csv("nc", x, curves)}},
+      .width = 1150,
+      .height = 460};
 }
 
 console::Figure gap_figure(std::size_t beads, const std::vector<double>& gaps, const std::vector<ShareCurve>& curves) {
-  std::string script = common;
-  script +=
-      "set xlabel 'gap between the beads [m]'\nset logscale x\nset xrange [1e-8:1e-2]\nset format x '10^{%L}'\n"
-      "set key outside right center reverse Left spacing 1.3\n";
+  const console::Panel panel{
+      .x = {.label = "gap between the beads [m]", .log = true, .range = std::pair(1e-8, 1e-2), .format = "10^{%L}"},
+      .y = {.label = share_label, .range = std::pair(0.0, 1.0)},
+      .curves = drawn("column-gap.csv", curves),
+      .key = key};
   return {.name = "column-gap",
           .caption = fmt::format("Dissipated share (62) of {} beads against the gap between them: from detachment to "
                                  "single collisions.",
                                  beads),
-          .script = script + plot("column-gap.csv", curves),
+          .script = console::script_of({.panels = {panel}}),
           .data = {{"column-gap.csv", csv("gap [m]", gaps, curves)}},
           .width = 900,
           .height = 480};

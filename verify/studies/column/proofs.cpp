@@ -16,9 +16,6 @@ using console::Notation;
 
 double squared(double x) { return x * x; }
 
-/// Second order: the error of E/E0 is a small multiple of (h/t_col)² a collision. 5 is above what any law shows.
-double stated_error(const ColumnCase& c) { return 5 * squared(1.0 / c.steps); }
-
 void one_bead(std::vector<Gate>& gates) {
   const ColumnCase c;
   for (const ColumnLaw& law : column_laws())

@@ -1,5 +1,6 @@
 #include "curves.hpp"
 
+#include <console/gnuplot.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -72,18 +73,20 @@ console::Figure error_figure(const std::vector<Curve>& curves, const std::vector
     for (const Drawn& d : drawn) csv += fmt::format(",{}", console::shortest(find(curves, d.id).obtained[i]));
     csv += "\n";
   }
-  std::string script =
-      "set xlabel 'restitution asked'\nset ylabel 'restitution obtained - asked'\nset xrange [0:1]\n"
-      "set yrange [-0.02:0.2]\nset key below maxcols 2\nset xzeroaxis lt 1 lc rgb 'black' lw 0.7\nplot ";
-  int column = 2;
+  console::Panel panel{.x = {.label = "restitution asked", .range = std::pair(0.0, 1.0)},
+                       .y = {.label = "restitution obtained - asked", .range = std::pair(-0.02, 0.2)},
+                       .key = "below maxcols 2",
+                       .zero_line = true};
   for (const Drawn& d : drawn) {
-    script += fmt::format("{}'peers-error.csv' skip 1 using 1:(${}-$1) with lines lw 2 title \"{}\"",
-                          column > 2 ? ", \\\n  " : "", column, d.title);
-    ++column;
+    const auto line = panel.curves.size() + 1;
+    panel.curves.push_back({.file = "peers-error.csv",
+                            .what = fmt::format("1:(${}-$1)", line + 1),
+                            .style = fmt::format("lines lt {} lw 2", line),
+                            .title = d.title});
   }
   return {.name = "peers-error",
           .caption = "Restitution obtained less restitution asked, for the formulas that engines use.",
-          .script = script + "\n",
+          .script = console::script_of({.panels = {panel}}),
           .data = {{"peers-error.csv", csv}},
           .width = 900,
           .height = 560};

@@ -1,0 +1,58 @@
+#include "../../verify/studies/paper.hpp"
+#include "../../verify/studies/table1/variants.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace ricochet;
+using namespace ricochet::verify;
+using namespace ricochet::verify::table1;
+
+namespace {
+
+const Fractional law(paper::steel.k, paper::steel.c, paper::steel.alpha);
+const Impact impact = paper::steel.impact(paper::steel.density);
+
+double last_velocity(Variant variant, int steps) { return end_of(variant, law, impact, paper::steel.tcol, steps).rate; }
+
+}  // namespace
+
+TEST_CASE("one step of each variant of (59) is the stages' formula") {
+  constexpr double h = 1e-6;
+  const double alpha = law.alpha(), v0 = impact.velocity;
+  const double a1 = law.coefficient() / impact.mass_eff / std::tgamma(2 - alpha);
+  const double whole = a1 * std::pow(h, 1 - alpha), half = a1 * std::pow(h / 2, 1 - alpha);
+  const auto end = [&](Held held, Stepper stepper) { return end_of({held, stepper}, law, impact, h, 1); };
+
+  // Heun predicts v₀, whatever is held, as there is no force yet.
+  for (const Held held : {Held::left, Held::mean, Held::chord})
+    CHECK(end(held, Stepper::heun).rate == Approx(v0 * (1 - h / 2 * whole)).epsilon(1e-14));
+  CHECK(end(Held::left, Stepper::heun).overlap == Approx(h * v0).epsilon(1e-14));
+
+  const double slope2 = -half * v0, middle = v0 + h / 2 * slope2;
+  const double mean3 = -half * (v0 + middle) / 2, mean4 = -whole * (v0 + v0 + h * mean3) / 2;
+  CHECK(end(Held::mean, Stepper::rk4).rate == Approx(v0 + h / 6 * (2 * slope2 + 2 * mean3 + mean4)).epsilon(1e-14));
+  // The chord to the second and third stage is v₀, to the fourth the third's rate, `middle`.
+  CHECK(end(Held::chord, Stepper::rk4).rate == Approx(v0 + h / 6 * (4 * slope2 - whole * middle)).epsilon(1e-14));
+  CHECK(end(Held::left, Stepper::rk4).rate == Approx(v0 + h / 6 * (4 * -half * v0 - whole * v0)).epsilon(1e-14));
+
+  // The force at the end is that of the whole step's held rate.
+  const Instant mean = end(Held::mean, Stepper::heun);
+  CHECK(mean.force == Approx(impact.mass_eff * whole * (v0 + mean.rate) / 2).epsilon(1e-14));
+  CHECK(mean.time == Approx(h).epsilon(1e-14));
+}
+
+TEST_CASE("the last velocities of Table I by each variant are those of a program in another language") {
+  const auto same = [](Variant variant, double at_5, double at_20, double at_40) {
+    CHECK(last_velocity(variant, 5) == Approx(at_5).margin(0.5e-5));
+    CHECK(last_velocity(variant, 20) == Approx(at_20).margin(0.5e-5));
+    CHECK(last_velocity(variant, 40) == Approx(at_40).margin(0.5e-5));
+  };
+  same({Held::left, Stepper::heun}, -1.12593, -0.75276, -0.70585);
+  same({Held::left, Stepper::rk4}, -1.07981, -0.75016, -0.70516);
+  same({Held::mean, Stepper::heun}, -0.66423, -0.66576, -0.66399);
+  same({Held::mean, Stepper::rk4}, -0.67422, -0.66425, -0.66346);
+  same({Held::chord, Stepper::heun}, -0.74346, -0.66616, -0.66388);
+  same({Held::chord, Stepper::rk4}, -0.67056, -0.66382, -0.66333);
+}
