@@ -20,8 +20,9 @@ std::string words_of(char name, const Axis& axis) {
   const std::string label = axis.label.empty()
                                 ? fmt::format("unset {}label", name)
                                 : fmt::format("set {}label {} offset {}", name, quoted(axis.label), axis.label_offset);
-  return fmt::format("set {0}range [{1}]\n{2} logscale {0}\nset format {0} {3}\n{4}\n", name, range,
-                     axis.log ? "set" : "unset", axis.format ? quoted(*axis.format) : "", label);
+  const std::string tics = axis.tics ? shortest(*axis.tics) : "autofreq";
+  return fmt::format("set {0}range [{1}]\n{2} logscale {0}\nset format {0} {3}\nset {0}tics {4}\n{5}\n", name, range,
+                     axis.log ? "set" : "unset", axis.format ? quoted(*axis.format) : "", tics, label);
 }
 
 std::string words_of(const Curve& curve, bool titled) {
@@ -42,20 +43,30 @@ std::string words_of(const std::vector<Curve>& curves, bool titled) {
   return fmt::format("plot {}\n", fmt::join(all, ", \\\n  "));
 }
 
-std::string words_of(const Panel& panel) {
-  return words_of('x', panel.x) + words_of('y', panel.y) +
+std::string words_of(const std::vector<Label>& labels) {
+  std::string words = "unset label\n";
+  for (const Label& l : labels)
+    words += fmt::format("set label {} at {},{} {}\n", quoted(l.text), shortest(l.x), shortest(l.y), l.style);
+  return words;
+}
+
+/// All but its curves.
+std::string surroundings_of(const Panel& panel) {
+  return (panel.title.empty() ? "unset title\n" : fmt::format("set title {} font ',15'\n", quoted(panel.title))) +
+         words_of('x', panel.x) + words_of('y', panel.y) + words_of(panel.labels) +
          (panel.key.empty() ? "unset key\n" : fmt::format("set key {}\n", panel.key)) +
          (panel.room.empty() ? "unset offsets\n" : fmt::format("set offsets {}\n", panel.room)) +
-         (panel.zero_line ? "set xzeroaxis lt 1 lc rgb 'black' lw 0.7\n" : "unset xzeroaxis\n") +
-         words_of(panel.curves, !panel.key.empty());
+         (panel.zero_line ? "set xzeroaxis lt 1 lc rgb 'black' lw 0.7\n" : "unset xzeroaxis\n");
 }
+
+std::string words_of(const Panel& panel) { return surroundings_of(panel) + words_of(panel.curves, !panel.key.empty()); }
 
 /// A key needs curves to stand for: those of `panel`, with nothing to draw.
 std::string key_alone(Panel panel, const std::string& place) {
   for (Curve& curve : panel.curves) curve = {.what = "NaN", .style = curve.style, .title = curve.title};
   const Axis unit{.range = std::pair(0.0, 1.0)};
-  return "unset border\nunset tics\nunset grid\n" +
-         words_of(Panel{.x = unit, .y = unit, .curves = panel.curves, .key = place});
+  return surroundings_of({.x = unit, .y = unit, .key = place}) + "unset border\nunset tics\nunset grid\n" +
+         words_of(panel.curves, true);
 }
 
 std::string words_of(const Layout& layout) {

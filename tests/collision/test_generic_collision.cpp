@@ -276,8 +276,8 @@ TEST_CASE("every generic collision ends, and says how") {
     CHECK(std::isfinite(out.max_overlap + out.max_force + out.tcol + out.en));
     return out.status;
   };
-  CHECK(status(Formula<dashpot>{}) == CollisionStatus::no_separation);  // stops, and stays
-  CHECK(status(Formula<nothing>{}) == CollisionStatus::no_separation);  // flies through
+  CHECK(status(Formula<dashpot>{}) == CollisionStatus::permanent_contact);  // stops, and stays
+  CHECK(status(Formula<nothing>{}) == CollisionStatus::no_separation);      // flies through
   CHECK(status(Formula<no_number>{}) == CollisionStatus::out_of_range);
   CHECK(status(StandardSolid(7000, 7000, 1e-5), ContactEnd::force, 100) == CollisionStatus::budget_spent);
   CHECK(status(StandardSolid(7000, 7000, 1e-5), ContactEnd::force, 5000) == CollisionStatus::budget_spent);

@@ -30,22 +30,29 @@ TEST_CASE("gnuplot draws SVG and PNG beside the data, in any locale") {
 }
 
 TEST_CASE("a panel's script says all that is said about it") {
-  const Panel panel{.x = {.label = "t [s]", .log = true, .range = std::pair(0.5, 8.0), .format = ""},
+  const Panel panel{.title = "one",
+                    .x = {.label = "t [s]", .log = true, .range = std::pair(0.5, 8.0), .format = "", .tics = 2},
                     .y = {.label = "it's", .label_offset = "1,0"},
                     .curves = {{.file = "a.csv", .what = "1:2", .style = "lines lt 1", .title = "a"},
                                {.file = "a.csv", .block = 0, .what = "1:2", .style = "points"},
                                {.file = "a.csv", .block = 2, .what = "1:3", .style = "points"},
                                {.what = "0", .style = "lines"}},
                     .key = "left top",
-                    .zero_line = true};
-  CHECK(script_of({.panels = {panel}}) == R"(set xrange [0.5:8]
+                    .zero_line = true,
+                    .labels = {{"here", 1, -2.5, "right"}}};
+  CHECK(script_of({.panels = {panel}}) == R"(set title 'one' font ',15'
+set xrange [0.5:8]
 set logscale x
 set format x ''
+set xtics 2
 set xlabel 't [s]' offset 0,0
 set yrange [*:*]
 unset logscale y
 set format y 
+set ytics autofreq
 set ylabel 'it''s' offset 1,0
+unset label
+set label 'here' at 1,-2.5 right
 set key left top
 unset offsets
 set xzeroaxis lt 1 lc rgb 'black' lw 0.7

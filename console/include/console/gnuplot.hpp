@@ -16,6 +16,7 @@ struct Axis {
   bool log = false;
   std::optional<std::pair<double, double>> range = {};  ///< without: gnuplot's choice
   std::optional<std::string> format = {};               ///< of the numbers, as printf; "" leaves them out
+  std::optional<double> tics = {};                      ///< their distance; without: gnuplot's choice
   std::string label_offset = "0,0";                     ///< in characters
 };
 
@@ -28,12 +29,21 @@ struct Curve {
   std::string title = {};                 ///< in the key of a panel that has one
 };
 
+/// Words at a place of the axes; `style` is where they stand to it and their colour, "right tc rgb '#767676'".
+struct Label {
+  std::string text = {};
+  double x = 0, y = 0;
+  std::string style = {};
+};
+
 struct Panel {
+  std::string title = {};
   Axis x = {}, y = {};
   std::vector<Curve> curves = {};
   std::string key = {};    ///< where it stands, "outside right center"; without: there is none
   std::string room = {};   ///< around what an axis without a range must hold, "graph 0,0.02,0.03,0"
   bool zero_line = false;  ///< a black line at y = 0
+  std::vector<Label> labels = {};
 };
 
 /// Panels in rows, from the left above; all measures are shares of the picture.
