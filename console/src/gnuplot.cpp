@@ -21,8 +21,11 @@ std::string words_of(char name, const Axis& axis) {
                                 ? fmt::format("unset {}label", name)
                                 : fmt::format("set {}label {} offset {}", name, quoted(axis.label), axis.label_offset);
   const std::string tics = axis.tics ? shortest(*axis.tics) : "autofreq";
-  return fmt::format("set {0}range [{1}]\n{2} logscale {0}\nset format {0} {3}\nset {0}tics {4}\n{5}\n", name, range,
-                     axis.log ? "set" : "unset", axis.format ? quoted(*axis.format) : "", tics, label);
+  // A range with 0 is set before the axis becomes logarithmic, or after it has ceased to be.
+  return fmt::format(
+      "unset logscale {0}\nset {0}range [{1}]\n{2}set format {0} {3}\nset {0}tics {4}\n{5}\n{6}\n", name, range,
+      axis.log ? fmt::format("set logscale {}\n", name) : "", axis.format ? quoted(*axis.format) : "", tics,
+      axis.minor_tics ? fmt::format("set m{}tics default", name) : fmt::format("unset m{}tics", name), label);
 }
 
 std::string words_of(const Curve& curve, bool titled) {
@@ -43,6 +46,17 @@ std::string words_of(const std::vector<Curve>& curves, bool titled) {
   return fmt::format("plot {}\n", fmt::join(all, ", \\\n  "));
 }
 
+std::string words_of(const std::vector<Polygon>& polygons) {
+  std::string words = "unset object\n";
+  for (const Polygon& p : polygons) {
+    std::vector<std::string> corners;
+    for (const auto& [x, y] : p.corners) corners.push_back(fmt::format("{},{}", shortest(x), shortest(y)));
+    corners.push_back(corners.front());
+    words += fmt::format("set object polygon from {} {}\n", fmt::join(corners, " to "), p.style);
+  }
+  return words;
+}
+
 std::string words_of(const std::vector<Label>& labels) {
   std::string words = "unset label\n";
   for (const Label& l : labels)
@@ -52,8 +66,8 @@ std::string words_of(const std::vector<Label>& labels) {
 
 /// All but its curves.
 std::string surroundings_of(const Panel& panel) {
-  return (panel.title.empty() ? "unset title\n" : fmt::format("set title {} font ',15'\n", quoted(panel.title))) +
-         words_of('x', panel.x) + words_of('y', panel.y) + words_of(panel.labels) +
+  return (panel.title.empty() ? "unset title\n" : fmt::format("set title {} offset 0,-0.5\n", quoted(panel.title))) +
+         words_of('x', panel.x) + words_of('y', panel.y) + words_of(panel.labels) + words_of(panel.polygons) +
          (panel.key.empty() ? "unset key\n" : fmt::format("set key {}\n", panel.key)) +
          (panel.room.empty() ? "unset offsets\n" : fmt::format("set offsets {}\n", panel.room)) +
          (panel.zero_line ? "set xzeroaxis lt 1 lc rgb 'black' lw 0.7\n" : "unset xzeroaxis\n");
@@ -61,12 +75,12 @@ std::string surroundings_of(const Panel& panel) {
 
 std::string words_of(const Panel& panel) { return surroundings_of(panel) + words_of(panel.curves, !panel.key.empty()); }
 
-/// A key needs curves to stand for: those of `panel`, with nothing to draw.
-std::string key_alone(Panel panel, const std::string& place) {
-  for (Curve& curve : panel.curves) curve = {.what = "NaN", .style = curve.style, .title = curve.title};
+/// A key needs curves to stand for: these, with nothing to draw.
+std::string key_alone(std::vector<Curve> curves, const std::string& place) {
+  for (Curve& curve : curves) curve = {.what = "NaN", .style = curve.style, .title = curve.title};
   const Axis unit{.range = std::pair(0.0, 1.0)};
   return surroundings_of({.x = unit, .y = unit, .key = place}) + "unset border\nunset tics\nunset grid\n" +
-         words_of(panel.curves, true);
+         words_of(curves, true);
 }
 
 std::string words_of(const Layout& layout) {
@@ -81,7 +95,8 @@ std::string words_of(const Layout& layout) {
 std::string script_of(const Plot& plot) {
   std::string script = plot.layout ? words_of(*plot.layout) : "";
   for (const Panel& panel : plot.panels) script += words_of(panel);
-  if (!plot.key_panel.empty()) script += key_alone(plot.panels.front(), plot.key_panel);
+  if (!plot.key_panel.empty())
+    script += key_alone(plot.key.empty() ? plot.panels.front().curves : plot.key, plot.key_panel);
   return plot.layout ? script + "unset multiplot\n" : script;
 }
 

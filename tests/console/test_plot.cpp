@@ -32,27 +32,33 @@ TEST_CASE("gnuplot draws SVG and PNG beside the data, in any locale") {
 TEST_CASE("a panel's script says all that is said about it") {
   const Panel panel{.title = "one",
                     .x = {.label = "t [s]", .log = true, .range = std::pair(0.5, 8.0), .format = "", .tics = 2},
-                    .y = {.label = "it's", .label_offset = "1,0"},
+                    .y = {.label = "it's", .minor_tics = false, .label_offset = "1,0"},
                     .curves = {{.file = "a.csv", .what = "1:2", .style = "lines lt 1", .title = "a"},
                                {.file = "a.csv", .block = 0, .what = "1:2", .style = "points"},
                                {.file = "a.csv", .block = 2, .what = "1:3", .style = "points"},
                                {.what = "0", .style = "lines"}},
                     .key = "left top",
                     .zero_line = true,
-                    .labels = {{"here", 1, -2.5, "right"}}};
-  CHECK(script_of({.panels = {panel}}) == R"(set title 'one' font ',15'
+                    .labels = {{"here", 1, -2.5, "right"}},
+                    .polygons = {{{{1, 2}, {3, 4}, {5, 6}}, "fc lt 1"}}};
+  CHECK(script_of({.panels = {panel}}) == R"(set title 'one' offset 0,-0.5
+unset logscale x
 set xrange [0.5:8]
 set logscale x
 set format x ''
 set xtics 2
+set mxtics default
 set xlabel 't [s]' offset 0,0
-set yrange [*:*]
 unset logscale y
+set yrange [*:*]
 set format y 
 set ytics autofreq
+unset mytics
 set ylabel 'it''s' offset 1,0
 unset label
 set label 'here' at 1,-2.5 right
+unset object
+set object polygon from 1,2 to 3,4 to 5,6 to 1,2 fc lt 1
 set key left top
 unset offsets
 set xzeroaxis lt 1 lc rgb 'black' lw 0.7

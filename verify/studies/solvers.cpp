@@ -27,12 +27,11 @@ double stated_order(FractionalScheme scheme, double alpha, bool tcol) {
   }
 }
 
-/// Terms a gap above the stated order: 1−α for (59) and the trapezoid rules, α between h^{2−α} and h², −α for (60), which
-/// the time of the overlap's zero does not feel.
+/// Terms a gap above the stated order: 1−α for (59) and the trapezoid rules, α between h^{2−α} and h², −α for (60).
 double allowance(FractionalScheme scheme, double alpha, bool tcol) {
   double gap = 1 - alpha;
   if (scheme == FractionalScheme::arms_trapezoid && !tcol) gap = alpha;
-  if (scheme == FractionalScheme::rectangle_integral) gap = tcol ? 1 : -alpha;
+  if (scheme == FractionalScheme::rectangle_integral) gap = -alpha;
   if (scheme == FractionalScheme::arms_rosenbrock) gap = 1;
   return gap < 0.5 ? 0.15 : 0.1;
 }

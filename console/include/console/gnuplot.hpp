@@ -16,8 +16,9 @@ struct Axis {
   bool log = false;
   std::optional<std::pair<double, double>> range = {};  ///< without: gnuplot's choice
   std::optional<std::string> format = {};               ///< of the numbers, as printf; "" leaves them out
-  std::optional<double> tics = {};                      ///< their distance; without: gnuplot's choice
-  std::string label_offset = "0,0";                     ///< in characters
+  std::optional<double> tics = {};   ///< their distance, on a log axis the factor; without: gnuplot's choice
+  bool minor_tics = true;            ///< as gnuplot has them: on a log axis
+  std::string label_offset = "0,0";  ///< in characters
 };
 
 /// Columns of one of the figure's data files, of which the first line is a header; or, without a file, an expression.
@@ -36,6 +37,12 @@ struct Label {
   std::string style = {};
 };
 
+/// A closed line through corners of the axes' numbers.
+struct Polygon {
+  std::vector<std::pair<double, double>> corners = {};
+  std::string style = {};  ///< "fs solid 0.15 fc lt 1"
+};
+
 struct Panel {
   std::string title = {};
   Axis x = {}, y = {};
@@ -44,6 +51,7 @@ struct Panel {
   std::string room = {};   ///< around what an axis without a range must hold, "graph 0,0.02,0.03,0"
   bool zero_line = false;  ///< a black line at y = 0
   std::vector<Label> labels = {};
+  std::vector<Polygon> polygons = {};
 };
 
 /// Panels in rows, from the left above; all measures are shares of the picture.
@@ -56,7 +64,8 @@ struct Layout {
 struct Plot {
   std::vector<Panel> panels = {};  ///< one, where there is no layout
   std::optional<Layout> layout = {};
-  std::string key_panel = {};  ///< the place in one panel more, without axes, of a key to the first one's curves
+  std::string key_panel = {};   ///< the place in one panel more, without axes, of a key
+  std::vector<Curve> key = {};  ///< to these; without: to the first panel's curves
 };
 
 /// The script of a Figure. Every panel says all that is said about it, nothing stays from the one before.

@@ -100,7 +100,7 @@ console::Figure work_figure(const std::vector<SolverConvergence>& all) {
           .caption =
               "Error of the restitution against the multiplications a collision costs, for every solver at "
               "alpha = 0.25; circles: 30 steps a contact.",
-          .script = script_of({.panels = {panel}}),
+          .script = console::script_of({.panels = {panel}}),
           .data = {{"collision-work.csv", work_csv(all)}},
           .width = 1000,
           .height = 560};

@@ -52,7 +52,7 @@ double tic_step(std::pair<double, double> shown) {
   return 10 * power;
 }
 
-/// What paths take of an axis, with its 0.
+/// What paths take of an axis, from 0 on and a little more; what is left below 0 where they end is rounding.
 std::pair<double, double> taken(const std::vector<const Path*>& paths, const Scale& scale) {
   double low = 0, high = 0;
   for (const Path* path : paths)
@@ -60,19 +60,18 @@ std::pair<double, double> taken(const std::vector<const Path*>& paths, const Sca
       low = std::min(low, scale.value(p));
       high = std::max(high, scale.value(p));
     }
-  return {low, high};
+  return {low > -1e-9 * high ? 0 : 1.03 * low, 1.03 * high};
 }
 
 /// One panel; `first` is the first of all paths, which the CSV counts its blocks from.
 console::Panel panel_of(const std::vector<const Path*>& paths, const Path* first, const std::string& file, Axes axes,
                         const Ranges& ranges) {
-  const Scale &x = scale_of(axes.x), &y = scale_of(axes.y);
-  console::Panel panel{.x = {.label = x.label,
-                             .range = ranges.*x.range,
-                             .tics = tic_step((ranges.*x.range).value_or(taken(paths, x))),
-                             .label_offset = "0,0.5"},
-                       .y = {.label = y.label, .range = ranges.*y.range, .label_offset = "1,0"},
-                       .zero_line = true};
+  const auto axis = [&](Quantity quantity, const char* label_offset) {
+    const Scale& scale = scale_of(quantity);
+    const auto shown = (ranges.*scale.range).value_or(taken(paths, scale));
+    return console::Axis{.label = scale.label, .range = shown, .tics = tic_step(shown), .label_offset = label_offset};
+  };
+  console::Panel panel{.x = axis(axes.x, "0,0.5"), .y = axis(axes.y, "1,0"), .zero_line = true};
   for (const Path* path : paths)
     panel.curves.push_back({.file = file,
                             .block = static_cast<std::size_t>(path - first),
@@ -93,13 +92,15 @@ std::string line(std::size_t i, int dash) {
 console::Figure panels(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
                        std::span<const Axes> rows, const std::vector<Column>& columns) {
   const std::string file = name + ".csv";
+  const int width = 400 * static_cast<int>(columns.size());
+  const double labels = 96.0 / width;  // what the labels of a column need
   console::Plot plot{.layout = console::Layout{.rows = static_cast<int>(rows.size()),
                                                .columns = static_cast<int>(columns.size()),
-                                               .left = 0.08,
+                                               .left = labels,
                                                .right = 0.96,
                                                .bottom = 0.07,
                                                .top = 0.95,
-                                               .between_columns = 0.08,
+                                               .between_columns = labels,
                                                .between_rows = 0.075}};
   for (std::size_t row = 0; row < rows.size(); ++row)
     for (std::size_t column = 0; column < columns.size(); ++column) {
@@ -115,7 +116,7 @@ console::Figure panels(const std::string& name, const std::string& caption, cons
           .caption = caption,
           .script = script_of(plot),
           .data = {{file, csv_of(paths)}},
-          .width = 400 * static_cast<int>(columns.size()),
+          .width = width,
           .height = 320 * static_cast<int>(rows.size())};
 }
 

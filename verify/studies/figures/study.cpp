@@ -44,9 +44,9 @@ std::string how(CollisionStatus status) {
 Table degrees() {
   Table table({{"alpha", "", {Notation::Kind::fixed, 2}},
                {"ends with"},
-               {"t_col", "1e-6 s", {Notation::Kind::fixed, 2}},
+               {"t_col", "1e-6 s", {Notation::Kind::significant, 5}},
                {"e_n", "", {Notation::Kind::fixed, 4}},
-               {"overlap at the end", "1e-6 m", {Notation::Kind::fixed, 2}}},
+               {"overlap at the end", "1e-6 m", {Notation::Kind::significant, 4}}},
               "How the collisions of Figs. 3 and 4 end");
   for (const double alpha : figures::drawn_degrees()) {
     const Collision c = figures::alpha_collision(alpha);

@@ -102,12 +102,12 @@ console::Figure drawing(const Table& table) {
                                         {.file = "tcol.csv",
                                          .what = "1:(1+$5/100)",
                                          .style = fmt::format("linespoints pt 7 ps 0.5 lw 2.5 lc rgb '{}'", blue)}},
-                             .labels = {{"exact", 0.985, 1.02, fmt::format("right tc rgb '{}'", gray)},
+                             .labels = {{"exact", 0.985, 1.03, fmt::format("right tc rgb '{}'", gray)},
                                         {"estimate (57)", 0.66, 0.86, fmt::format("tc rgb '{}'", blue)}}};
   return {
       .name = "tcol",
       .caption = "The estimate (57) of the collision time over the exact one: just below 1 at alpha = 0, and falling.",
-      .script = script_of({.panels = {panel}}),
+      .script = console::script_of({.panels = {panel}}),
       .data = {{"tcol.csv", table.csv()}}};
 }
 
