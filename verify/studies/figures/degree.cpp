@@ -30,18 +30,17 @@ std::string csv_of(const DegreeSweep& sweep) {
   return csv;
 }
 
-console::Panel panel_of(const std::string& label, const std::string& columns) {
+console::Panel panel_of(const std::string& label, double most, const std::string& columns) {
   return {.x = {.label = "conversion degree α", .range = std::pair(-0.5, 1.0)},
-          .y = {.label = label, .range = std::pair(0.0, 0.0), .label_offset = "1,0"},
+          .y = {.label = label, .range = std::pair(0.0, most), .label_offset = "1,0"},
           .curves = {{.file = file, .what = columns, .style = "lines lt 1 lw 2.5"}}};
 }
 
 }  // namespace
 
 console::Figure degree_figure(const DegreeSweep& sweep) {
-  console::Panel time = panel_of("collision time [µs]", "1:2"), restitution = panel_of("e_n", "1:3");
-  time.y.range = std::pair(0.0, 500.0);
-  restitution.y.range = std::pair(0.0, 2.0);
+  const console::Panel time = panel_of("collision time [µs]", 500, "1:2");
+  console::Panel restitution = panel_of("e_n", 2, "1:3");
   restitution.curves.push_back(
       {.what = "1", .style = fmt::format("lines lw 1.5 dt 2 lc rgb '{}'", console::palette::gray)});
   const console::Plot plot{

@@ -18,16 +18,16 @@ using paper::pair, paper::steel;
 
 const Fractional steel_law(steel.k, steel.c, steel.alpha);
 
-// The left group's values are not legible; the right group's are.
-const std::vector<std::vector<double>> groups{{-0.5, -0.25, -0.1}, {0, 0.25, 0.5, 0.75, 0.9}, {1.0, 1.3, 1.6}};
-constexpr double shown_without_end = 0.5e-3;  // s, as the right column of Fig. 3
+const std::vector<std::vector<double>> groups{{-0.5, -0.25, -0.1},
+                                              {0, 0.25, 0.5, 0.75, 0.9},
+                                              {paper::no_rebound_degrees.begin(), paper::no_rebound_degrees.end()}};
 
 Fractional law_of(double alpha) { return {paper::alpha_study_k, paper::alpha_study_c, alpha}; }
 
 /// What ends the collision, or for how long one that does not end is shown [s].
 double shown(double alpha) {
   const Collision out = alpha_collision(alpha);
-  return out.separated() ? out.tcol : shown_without_end;
+  return out.separated() ? out.tcol : paper::no_rebound_shown;
 }
 
 std::vector<Path> alpha_paths() {
@@ -112,7 +112,7 @@ console::Figure figure3() {
       paths.push_back({"", points, "points pt 6 ps 0.5 lc rgb '#767676'", group});
     }
   const double first_force = paper::alpha_study_c * pair.impact.velocity;  // of the dashpot
-  const Ranges right{.time = std::pair(0.0, 1e6 * shown_without_end), .force = std::pair(0.0, 1.2 * first_force)};
+  const Ranges right{.time = std::pair(0.0, 1e6 * paper::no_rebound_shown), .force = std::pair(0.0, 1.2 * first_force)};
   auto drawn = panels(
       "figure3", "Fig. 3: overlap, velocity and force for three groups of alpha; circles: product trapezoid, 30 steps.",
       paths, over_time, {{names[0], "top right", 1}, {names[1], "top right", 1}, {names[2], "top right", 1, right}});
