@@ -5,6 +5,7 @@
 
 #include <ricochet/collision/fractional_contact_table.hpp>
 
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -17,18 +18,24 @@ constexpr double least_en = FractionalContactTable::least_en;
 constexpr double greatest_en = 0.9999;
 static_assert(ReductionTable<Linear>::greatest_loss > 5.116, "the tables of every law reach down to least_en");
 
-/// A value that the first thread to need it makes.
+/// A value that the first thread to need it makes. libstdc++'s call_once has no quick way past what is done.
 template <class T>
 class Lazy {
  public:
   template <class... Arguments>
   const T& operator()(Arguments... arguments) {
-    std::call_once(made_, [&] { value_.emplace(arguments...); });
+    if (!ready_.load(std::memory_order_acquire)) {
+      std::call_once(made_, [&] {
+        value_.emplace(arguments...);
+        ready_.store(true, std::memory_order_release);
+      });
+    }
     return *value_;
   }
 
  private:
   std::once_flag made_;
+  std::atomic<bool> ready_ = false;
   std::optional<T> value_;
 };
 
@@ -64,7 +71,7 @@ struct Tabulated<PowerLaw<Form>> {
     if (!is_tabulated(en)) return std::nullopt;
     const auto& table = (end == ContactEnd::force ? by_force : by_overlap)(end);
     if constexpr (std::same_as<Law, Linear>) return ParameterValues<Law>{table.stiffness(loss), 2 * loss};
-    return ParameterValues<Law>{table.stiffness(loss), table.damping(loss)};
+    return table(loss);
   }
 };
 
@@ -91,19 +98,24 @@ struct TablesOf<LawList<L...>> {
 struct DirectCalibrator::Tables {
   TablesOf<Laws>::type of_law;
 
-  /// nullopt where the tables do not reach, or a parameter is no normal double.
-  std::optional<AnyLaw> operator()(const Request& request) {
-    return request.law.visit([&]<class Law>(std::type_identity<Law>) -> std::optional<AnyLaw> {
-      const auto& [tcol, en, impact] = request.target;
-      const auto unit = std::get<Tabulated<Law>>(of_law)(en, request.end);
-      if (!unit) return std::nullopt;
-      if constexpr (std::same_as<Law, Fractional>) {
-        const double held = request.stiffness ? *request.stiffness : held_of_linear(request.target);
-        return Reduction<Law>::holding(held, unit->front(), unit->back(), tcol, impact.mass_eff);
-      } else {
-        return representable<Law>(collision::values_in_si<Law>(*unit, tcol, impact));
-      }
+  /// By the table of the law; the slow way where it does not reach, or a parameter is no normal double.
+  Answer operator()(const Request& request) {
+    return request.law.visit([&]<class Law>(std::type_identity<Law>) -> Answer {
+      if (const auto unit = std::get<Tabulated<Law>>(of_law)(request.target.en, request.end))
+        if (const auto law = in_si<Law>(*unit, request)) return AnyLaw(*law);
+      return calibrate_directly(request, Settings{}.tolerance);
     });
+  }
+
+  template <class Law>
+  std::optional<Law> in_si(const ParameterValues<Law>& unit, const Request& request) {
+    const auto& [tcol, en, impact] = request.target;
+    if constexpr (std::same_as<Law, Fractional>) {
+      const double held = request.stiffness ? *request.stiffness : held_of_linear(request.target);
+      return Reduction<Law>::holding(held, unit.front(), unit.back(), tcol, impact.mass_eff);
+    } else {
+      return representable<Law>(collision::values_in_si<Law>(unit, tcol, impact));
+    }
   }
 
   /// k of the linear law that hits the target by force, what the paper gives the fractional law to hold.
@@ -118,8 +130,7 @@ DirectCalibrator::~DirectCalibrator() = default;
 
 DirectCalibrator::Answer DirectCalibrator::operator()(const Request& request) const {
   require_request(request);
-  if (const auto law = (*tables_)(request)) return *law;
-  return calibrate_directly(request, Settings{}.tolerance);
+  return (*tables_)(request);
 }
 
 }  // namespace ricochet::calibration

@@ -23,7 +23,11 @@ class ReductionTable {
 
   // loss = 0 or in [least_loss, greatest_loss)
   double stiffness(double loss) const { return loss == 0 ? elastic_ : panel(loss).k(loss); }
-  double damping(double loss) const { return loss == 0 ? 0 : loss * panel(loss).c_over_loss(loss); }
+  ParameterValues<Law> operator()(double loss) const {
+    if (loss == 0) return {elastic_, 0};
+    const Pair& found = panel(loss);
+    return {found.k(loss), loss * found.c_over_loss(loss)};
+  }
 
  private:
   struct Pair {

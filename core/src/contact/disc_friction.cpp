@@ -59,9 +59,13 @@ struct Coefficients {
 };
 constexpr Coefficients coefficients;
 
-// Σ c_n qⁿ, q ≤ 1/4, with no more terms than q needs.
+// Σ c_n qⁿ, q ≤ 1/4, with no more terms than q needs: q^needed < 2⁻⁵³.
 double sum(const Series& c, double q) noexcept {
-  const std::size_t needed = q < 1e-4 ? 5 : q < 0.02 ? 11 : q < 0.1 ? 17 : terms;
+  const std::size_t needed = q < 0.01   ? q < 1e-4 ? 5 : 8
+                             : q < 0.05 ? q < 0.02 ? 10 : 13
+                             : q < 0.1  ? 16
+                             : q < 0.17 ? 21
+                                        : terms;
   double value = 0;
   for (std::size_t n = needed; n-- > 0;) value = value * q + c[n];
   return value;

@@ -53,10 +53,6 @@ std::span<const Parameter> LawKind::parameters() const noexcept {
   return visit([]<class Law>(std::type_identity<Law>) { return std::span<const Parameter>(Law::parameters); });
 }
 
-Ends LawKind::ends() const noexcept {
-  return visit([]<class Law>(std::type_identity<Law>) { return Law::ends; });
-}
-
 AnyLaw LawKind::with(std::span<const double> values) const {
   support::require(values.size() == parameters().size(), "number of parameters", static_cast<double>(values.size()),
                    "that of the law");

@@ -96,11 +96,11 @@ void require_parameters(const ParameterValues<Law>& values) {
 /// neither normal nor a 0 that its domain admits.
 template <DescribedLaw Law>
 std::optional<Law> representable(const ParameterValues<Law>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool zero = values[i] == 0 && Law::parameters[i].domain.contains(0);
-    if (!(zero || std::isnormal(values[i]))) return std::nullopt;
+  const bool all = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return ((std::isnormal(values[I]) || (values[I] == 0 && Law::parameters[I].domain.contains(0))) && ...);
   }
-  return Law::from(values);
+  (std::make_index_sequence<Law::parameters.size()>{});
+  return all ? std::optional<Law>(Law::from(values)) : std::nullopt;
 }
 
 }  // namespace ricochet

@@ -19,6 +19,7 @@ struct LawList {
   using Any = std::variant<L...>;
   static constexpr std::size_t size = sizeof...(L);
   static constexpr std::array<std::string_view, size> names{L::name...};
+  static constexpr std::array<Ends, size> ends{L::ends...};
   static constexpr std::size_t most_parameters = std::max({L::parameters.size()...});
 
   /// The place of a law in the list; a law that is not in it does not compile.
@@ -74,7 +75,7 @@ class LawKind {
 
   constexpr std::string_view name() const noexcept { return Laws::names[index_]; }
   std::span<const Parameter> parameters() const noexcept;
-  Ends ends() const noexcept;
+  constexpr Ends ends() const noexcept { return Laws::ends[index_]; }
   /// The law of that kind with these values of its parameters. Throws std::invalid_argument for another number of them
   /// and, naming it, for a value outside its domain.
   AnyLaw with(std::span<const double> values) const;
