@@ -195,7 +195,7 @@ struct Formula {
 };
 double dashpot(Approach a) { return 0.1 * a.rate; }
 double nothing(Approach) { return 0; }
-double gives_way(Approach a) { return 0.1 * a.rate * std::max(0.0, 1 - a.overlap / 1e-6); }
+double gives_way(Approach a) { return 0.1 * a.rate * std::max(0.0, 1 - a.overlap / 1e-5); }
 double no_number(Approach a) { return a.overlap > 1e-6 ? std::numeric_limits<double>::quiet_NaN() : 7000 * a.overlap; }
 double bent(Approach a) { return 7000 * a.overlap + std::max(0.0, 7000 * (a.overlap - 5e-6)); }
 
