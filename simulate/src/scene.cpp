@@ -67,7 +67,7 @@ Interactions read_interactions(const Node& node, const Materials& materials) {
   Interactions interactions;
   for (std::size_t k = 0; k < node.size(); ++k) {
     const Node entry = node.at(k);
-    entry.allow({"between", "law", "friction"});
+    entry.allow({"between", "law", "friction", "breakage_energy"});
     const Node between = entry.at("between");
     if (!between.json().is_array() || between.json().size() != 2) between.reject("two materials [\"a\", \"b\"]");
     const auto pair =
@@ -77,6 +77,7 @@ Interactions read_interactions(const Node& node, const Materials& materials) {
     if (law.has("end") && law.at("end").one_of({"force", "overlap"}) == "overlap")
       interaction.end = ContactEnd::overlap;
     if (entry.has("friction")) interaction.friction = read_friction(entry.at("friction"));
+    if (entry.has("breakage_energy")) interaction.breakage_energy = entry.at("breakage_energy").not_negative();
     if (!interactions.emplace(pair, interaction).second) between.reject("a pair that is given once");
   }
   return interactions;

@@ -16,7 +16,7 @@ namespace {
 
 using console::Json;
 
-constexpr const char* schema = "ricochet/state/2";
+constexpr const char* schema = "ricochet/state/3";
 constexpr auto any_integer = std::numeric_limits<std::int64_t>::max();
 
 Json json(double value) { return console::number_or_null(value); }  // only `never` is infinite
@@ -53,6 +53,7 @@ Json json(const ContactState& c, const ContactMemory& memory) {
           {"torsion", c.friction.torsion},
           {"rolling", json(c.friction.rolling)},
           {"stored", c.stored},
+          {"impact_rate", c.impact_rate},
           {"speed_scale", c.speed_scale}};
 }
 
@@ -83,7 +84,8 @@ void read_record(const Node& node, Encounter& r) {
   r.end = time_or_never(node.at("end"));
   if (r.end < r.begin) node.at("end").reject("null or a time from \"begin\" on");
   const Node how = node.at("how");
-  r.how = static_cast<EncounterEnd>(r.end == Encounter::never ? how.integer(0, 0) : how.integer(1, 4));
+  r.how = static_cast<EncounterEnd>(r.end == Encounter::never ? how.integer(0, 0)
+                                                              : how.integer(1, encounter_end_count - 1));
   const Node phases = node.at("phases");
   expect_length(phases, phase_count, "times");
   for (std::size_t k = 0; k < phase_count; ++k) r.phase_begin[k] = time_or_never(phases.at(k));
@@ -108,7 +110,7 @@ ContactMemory read_memory(const Node& node, const NormalLaw& law) {
 
 ContactState read_contact(const Node& node, const Scene& scene) {
   node.allow({"pair", "begin", "end", "how", "phases", "law", "memory", "overlap", "rate", "force", "lag", "impulse",
-              "sliding", "torsion", "rolling", "stored", "speed_scale"});
+              "sliding", "torsion", "rolling", "stored", "impact_rate", "speed_scale"});
   ContactState c;
   read_pair(node.at("pair"), scene, c.record);
   read_record(node, c.record);
@@ -119,6 +121,7 @@ ContactState read_contact(const Node& node, const Scene& scene) {
   c.normal_impulse = node.at("impulse").number();
   c.friction = {node.at("sliding").vector(), node.at("torsion").number(), node.at("rolling").vector()};
   c.stored = node.at("stored").number();
+  c.impact_rate = node.at("impact_rate").number();
   c.speed_scale = node.at("speed_scale").not_negative();
   return c;
 }

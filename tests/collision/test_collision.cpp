@@ -2,6 +2,7 @@
 #include <ricochet/ricochet.hpp>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 using namespace ricochet;
@@ -131,17 +132,88 @@ TEST_CASE("fractional: close to where no contact ends, both paths agree as far a
 TEST_CASE("fractional: what never separates is a status on both paths") {
   for (const auto method : {CollideMethod::closed_form, CollideMethod::numerical}) {
     for (const double alpha : {1 - 1.2e-16, 1.0, 1.5})
-      CHECK(collide(Fractional(5000, 0.1, alpha), table_two, {ContactEnd::force, method}).status ==
-            CollisionStatus::no_separation);
+      for (const auto end : {ContactEnd::force, ContactEnd::overlap}) {
+        const auto out = collide(Fractional(5000, 0.1, alpha), table_two, {end, method});
+        CHECK(out.status == CollisionStatus::permanent_contact);
+        CHECK_FALSE(out.separated());
+        CHECK(out.en == 0);
+      }
     CHECK(collide(Fractional(5000, 0.1, 0.401), table_two, {ContactEnd::overlap, method}).status ==
           CollisionStatus::no_separation);
   }
 }
 
-TEST_CASE("fractional: below alpha = 0 the collision gains speed") {
-  CHECK(collide(Fractional(5000, 0.1, -0.1), table_two).en > 1);
-  CHECK_THROWS_WITH(collide(Fractional(5000, 0.1, -0.1), table_two, {ContactEnd::force, CollideMethod::closed_form}),
-                    "alpha = -0.1: must be >= 0 for the closed form");
+TEST_CASE("fractional: below alpha = 0 the overlap ends the collision, sooner and faster the smaller alpha") {
+  double last = collide(Fractional(5000, 0.1, 0), table_two).tcol;
+  for (const double alpha : {-1e-6, -0.1, -0.25, -0.5, -0.75, -1.0}) {
+    CAPTURE(alpha);
+    const Fractional law(5000, 0.1, alpha);
+    for (const auto end : {ContactEnd::force, ContactEnd::overlap}) {
+      check_paths_agree(law, end);
+      const Collision out = collide(law, table_two, {end});
+      CHECK(out.status == CollisionStatus::ended_by_overlap);
+      CHECK(out.en > 1);
+      CHECK(out.overlap_end == 0);
+      if (end == ContactEnd::force) CHECK(out.tcol < std::exchange(last, out.tcol));
+    }
+  }
+  CHECK_THROWS_WITH(collide(Fractional(5000, 0.1, -1.5), table_two),
+                    "alpha = -1.5: must be in [-1, 2) for a collision");
+}
+
+TEST_CASE("fractional: a dashpot comes to rest where 1 % of its speed is left") {
+  const double c = 0.1, time = table_two.mass_eff / c;
+  const Collision out = collide(Fractional(5000, c, 1), table_two);
+  CHECK(relative(out.tcol, time * std::log(100)) < 1e-12);
+  CHECK(relative(out.overlap_end, 0.99 * table_two.velocity * time) < 1e-12);
+  CHECK(out.max_overlap == out.overlap_end);
+  CHECK(relative(out.max_force, c * table_two.velocity) < 1e-14);
+  CHECK(out.time_max_force == 0);
+  // As if nobody knew the law: by the steps of its one dashpot.
+  const FractionalArms arms(Fractional(5000, c, 1), memory_kernel(1, 1e-7, 1e-3, 1e-6), 1e-7);
+  const Collision generic = collide<FractionalArms>(arms, table_two);
+  CHECK(generic.status == CollisionStatus::permanent_contact);
+  CHECK(relative(generic.tcol, out.tcol) < 1e-3);
+  CHECK(relative(generic.overlap_end, out.overlap_end) < 1e-3);
+}
+
+TEST_CASE("fractional: past alpha = 1 the motion comes to rest as its Volterra equation says") {
+  // v = v₀ − A I^a v, a = 2 − α, by the product trapezoid over the whole collision.
+  const auto out = [](double alpha) { return collide(Fractional(1, 1, alpha), {1, 1}); };
+  {
+    // a = 1/2: v = exp(t) erfc(√t), far out by its asymptotic series.
+    const double t = out(1.5).tcol;
+    CHECK((1 - 1 / (2 * t) + 3 / (4 * t * t) - 15 / (8 * t * t * t)) / std::sqrt(std::acos(-1.0) * t) ==
+          Approx(0.01).epsilon(1e-12));
+  }
+  const Collision rest = out(1.2);
+  constexpr std::size_t steps = 4000;
+  const double h = rest.tcol / steps;
+  const ConvolutionRule rule = trapezoid_integral(0.8, h, steps);
+  std::vector<double> v{1};
+  double overlap = 0;
+  for (std::size_t n = 1; n <= steps; ++n) {
+    v.push_back(0);
+    v.back() = (1 - rule.last(v)) / (1 + rule.weights()[0]);
+    overlap += 0.5 * h * (v[n - 1] + v[n]);
+  }
+  // The rate starts like 1 − t^a, so the first steps err by h^a; what is left of that at the end is of order h^{1+a}.
+  CHECK(v.back() == Approx(0.01).epsilon(2 * std::pow(h, 1.8)));
+  CHECK(overlap == Approx(rest.overlap_end).epsilon(2 * std::pow(h, 1.8)));
+  CHECK(rest.max_force == 0);  // it begins infinite
+}
+
+TEST_CASE("what the contact can take up decides between permanent contact and breakage") {
+  const double energy = 0.5 * table_two.mass_eff * table_two.velocity * table_two.velocity;
+  const auto status = [&](double alpha, double share) {
+    return collide(Fractional(5000, 0.1, alpha), table_two, {.breakage_energy = share * energy}).status;
+  };
+  for (const double alpha : {1.0, 1.6}) {
+    CHECK(status(alpha, 1 - 1.01e-4) == CollisionStatus::breakage);  // 1e-4 of it is still motion
+    CHECK(status(alpha, 1 - 0.99e-4) == CollisionStatus::permanent_contact);
+  }
+  CHECK(status(0.5, 0) == CollisionStatus::ended_by_force);  // bodies that part do not break
+  CHECK_THROWS_WITH(status(1, -1), Catch::EndsWith("must be >= 0"));
 }
 
 TEST_CASE("any law collides as the law it holds") {

@@ -48,7 +48,8 @@ TEST_CASE("closed form and collocation agree on every number of the fractional c
     CHECK(agree(s.max_force, c.max_force / c.tau, tolerance));
     CHECK(agree(s.time_max_force, c.t_max_force * c.tau, 100 * tolerance));
   };
-  for (double alpha : {0.0, 0.01, 0.1, 0.2, 0.3197, 0.5, 0.66, 0.8, 0.9, 0.95, 0.97})
+  for (double alpha :
+       {-1.0, -0.8, -0.5, -0.25, -0.1, -0.01, 0.0, 0.01, 0.1, 0.2, 0.3197, 0.5, 0.66, 0.8, 0.9, 0.95, 0.97})
     compare(alpha, ContactEnd::force, 1e-12);
   for (double alpha : {0.0, 0.01, 0.2, 0.35, 0.39}) compare(alpha, ContactEnd::overlap, 1e-12);
 }
@@ -64,7 +65,7 @@ TEST_CASE("contacts end by overlap up to the limit where its minimum touches zer
   for (int i = 0; i < 60; ++i) (mittag_leffler(a, 1, -0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
   CHECK(std::abs(mittag_leffler(a, 2, -low)) < 1e-15);
   CHECK_THROWS_WITH(fractional_contact(0.41, ContactEnd::overlap),
-                    "alpha = 0.41: must be in [0, 0.400884...) for a contact that ends by overlap");
+                    "alpha = 0.41: must be in [-1, 0.400884...) for a contact that ends by overlap");
 }
 
 TEST_CASE("up to the last alpha below 1 the contact is right, as far as 2 - alpha tells it from 1") {
@@ -85,7 +86,37 @@ TEST_CASE("up to the last alpha below 1 the contact is right, as far as 2 - alph
     CHECK(agree(c.en, row.en, 1e-12));
   }
   CHECK_THROWS_WITH(fractional_contact(1 - 1.2e-16),
-                    Catch::StartsWith("alpha = 0.9999999999999999: must be in [0, 1)"));
+                    Catch::StartsWith("alpha = 0.9999999999999999: must be in [-1, 1)"));
+}
+
+TEST_CASE("below alpha = 0 the overlap's zero ends the contact, whichever end is asked for") {
+  // From the series in 30-digit arithmetic.
+  struct Row {
+    double alpha, z_star, en;
+  };
+  for (const Row& row :
+       {Row{-1, 27.454621738566911091, 2.5847397266428515171}, Row{-0.75, 19.895846708509685034, 2.2333809622476810456},
+        Row{-0.5, 14.916897539794417092, 1.8575138873735052151},
+        Row{-0.25, 11.71217696953725139, 1.4500812477720298114},
+        Row{-0.1, 10.452270878655406204, 1.1861743080339754771},
+        Row{-0.01, 9.9182461400709349888, 1.0190399760075101604}})
+    for (const ContactEnd end : {ContactEnd::force, ContactEnd::overlap}) {
+      CAPTURE(row.alpha);
+      const FractionalContact c = fractional_contact(row.alpha, end);
+      CHECK(agree(c.z_star, row.z_star, 1e-12));
+      CHECK(agree(c.en, row.en, 1e-12));
+      CHECK(c.overlap_end == 0);
+    }
+  CHECK_THROWS_WITH(fractional_contact(-1.01), Catch::StartsWith("alpha = -1.01: must be in [-1, 1)"));
+}
+
+TEST_CASE("at alpha = -1 the motion is elementary: zeta''' = -zeta") {
+  // ζ = (2 e^{t/2} cos(√3t/2 − π/3) − e^{−t})/3, and R' ∝ ζ: the force is greatest where the contact ends.
+  const FractionalContact c = fractional_contact(-1);
+  const double t = c.tau, phase = std::sqrt(0.75) * t;
+  CHECK(std::abs(2 * std::exp(0.5 * t) * std::cos(phase - pi / 3) - std::exp(-t)) < 1e-13);
+  CHECK(agree(c.en, -(2 * std::exp(0.5 * t) * std::cos(phase) + std::exp(-t)) / 3, 1e-13));
+  CHECK(c.t_max_force == Approx(1).epsilon(1e-12));
 }
 
 TEST_CASE("a spring keeps the whole velocity, and nothing keeps more") {

@@ -73,6 +73,29 @@ TEST_CASE("A solver can go on to a given time, and says when there is no end") {
   CHECK(solve_collision(FractionalScheme::trapezoid, Fractional(4615380, 128.1, -0.2), impact, options).en > 1);
 }
 
+TEST_CASE("Below alpha = 0 a solver ends where the overlap does, and tends to the closed form") {
+  for (const double alpha : {-0.1, -0.5, -0.9}) {
+    const Fractional gains(4615380, 128.1, alpha);
+    const Collision exact = collide(gains, impact);
+    for (const auto scheme : {FractionalScheme::rectangle_integral, FractionalScheme::trapezoid})
+      for (const double offset : {0.0, 0.3, 0.99}) {
+        CAPTURE(alpha, name(scheme), offset);
+        const FractionalSolverResult r =
+            solve_collision(scheme, gains, impact, {.step = exact.tcol / 200, .offset = offset});
+        // (60) holds the overlap back by half a step, which the rate at the end feels as h/2·ζ''; t_col is about 3
+        // natural times.
+        const double bound = scheme == FractionalScheme::trapezoid ? 2 * std::pow(200, -2.0) : 2 * 3.0 / 200;
+        REQUIRE(r.status == CollisionStatus::ended_by_overlap);
+        CHECK(r.en == Approx(exact.en).epsilon(bound));
+        CHECK(r.tcol == Approx(exact.tcol).epsilon(bound));
+        CHECK(r.overlap_end == 0);
+        CHECK(r.path.back().force > 0);
+      }
+  }
+  CHECK_THROWS_WITH(solve_collision(FractionalScheme::rectangle_integral, law, impact, {.step = 1e-6}),
+                    Catch::Contains("alpha = 0.2: must be >= -1 and < 0"));
+}
+
 TEST_CASE("Misuse of a fractional solver is named") {
   const FractionalSolverOptions good{.step = 1e-6};
   CHECK_THROWS_WITH(solve_collision(FractionalScheme::rectangle, Fractional(1, 1, 1.2), impact, good),

@@ -195,6 +195,7 @@ struct Formula {
 };
 double dashpot(Approach a) { return 0.1 * a.rate; }
 double nothing(Approach) { return 0; }
+double gives_way(Approach a) { return 0.1 * a.rate * std::max(0.0, 1 - a.overlap / 1e-5); }
 double no_number(Approach a) { return a.overlap > 1e-6 ? std::numeric_limits<double>::quiet_NaN() : 7000 * a.overlap; }
 double bent(Approach a) { return 7000 * a.overlap + std::max(0.0, 7000 * (a.overlap - 5e-6)); }
 
@@ -276,8 +277,9 @@ TEST_CASE("every generic collision ends, and says how") {
     CHECK(std::isfinite(out.max_overlap + out.max_force + out.tcol + out.en));
     return out.status;
   };
-  CHECK(status(Formula<dashpot>{}) == CollisionStatus::no_separation);  // stops, and stays
-  CHECK(status(Formula<nothing>{}) == CollisionStatus::no_separation);  // flies through
+  CHECK(status(Formula<dashpot>{}) == CollisionStatus::permanent_contact);  // stops, and stays
+  CHECK(status(Formula<nothing>{}) == CollisionStatus::no_separation);      // flies through
+  CHECK(status(Formula<gives_way>{}) == CollisionStatus::no_separation);    // the same, a little slower
   CHECK(status(Formula<no_number>{}) == CollisionStatus::out_of_range);
   CHECK(status(StandardSolid(7000, 7000, 1e-5), ContactEnd::force, 100) == CollisionStatus::budget_spent);
   CHECK(status(StandardSolid(7000, 7000, 1e-5), ContactEnd::force, 5000) == CollisionStatus::budget_spent);

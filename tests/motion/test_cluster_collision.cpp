@@ -168,6 +168,49 @@ TEST_CASE("the literal reading lets a pair fall silent until it has separated, t
   CHECK(run(Reclosing::repels) > 0);
 }
 
+TEST_CASE("a dashpot pair ends in permanent contact or in breakage, where 1 % of its approach is left") {
+  // v = v₀ exp(−ct/m): t_e = (m/c) ln 100 from the touch. The scheme errs by the midpoint rule's (h c/m)²/12 of the
+  // decay, ln 100 times m/c long.
+  const double c = 0.1, v0 = 0.5, r = 1.5e-3, time = mass_eff / c, h = time / 50;
+  const auto run = [&](double energy, Reclosing reclosing) {
+    ClusterSetup setup = with_law(Fractional(5000, c, 1));
+    setup.interactions.begin()->second.breakage_energy = energy;
+    setup.spheres.push_back({r, 1000, {}, {0.5 * v0, 0, 0}});
+    setup.spheres.push_back({r, 1000, {2 * r + 1.3e-7, 0, 0}, {-0.5 * v0, 0, 0}});
+    Cluster cluster(setup, {.step = h, .longest_contact = 20 * time, .reclosing = reclosing});
+    REQUIRE(cluster.advance(500));
+    // The force goes on after t_e, under either reading of what follows an end by force.
+    CHECK(std::abs(cluster.velocity(0).x - cluster.velocity(1).x) < 1e-3 * v0);
+    REQUIRE(cluster.contacts().size() == 1);
+    const Encounter e = cluster.contacts()[0].record;
+    CHECK((e.end - e.begin) / (time * std::log(100)) == Approx(1).epsilon(3 * (h / time) * (h / time)));
+    CHECK(cluster.take_finished().empty());
+    return e.how;
+  };
+  const double impact_energy = 0.5 * mass_eff * v0 * v0;
+  const auto reclosing = GENERATE(Reclosing::repels, Reclosing::silent);
+  CHECK(run(Encounter::never, reclosing) == EncounterEnd::permanent_contact);
+  CHECK(run(1.001 * impact_energy, reclosing) == EncounterEnd::permanent_contact);
+  CHECK(run(0.999 * impact_energy, reclosing) == EncounterEnd::breakage);
+  ClusterSetup wrong = with_law(Linear(1000, 1));
+  wrong.interactions.begin()->second.breakage_energy = -1;
+  wrong.spheres = {{0.01, 1000, {}, {}, {}, 0}, {0.01, 1000, {1, 0, 0}, {}, {}, 0}};
+  CHECK_THROWS_WITH(Cluster(wrong, {.step = 1e-5}), "breakage_energy = -1: must be >= 0");
+}
+
+TEST_CASE("a pair below alpha = 1 never ends in permanent contact") {
+  for (const double alpha : {0.97, 0.999}) {
+    ClusterSetup setup = with_law(Fractional(5000, 0.1, alpha));
+    setup.spheres.push_back({1.5e-3, 1000, {}, {0.25, 0, 0}});
+    setup.spheres.push_back({1.5e-3, 1000, {3.0001e-3, 0, 0}, {-0.25, 0, 0}});
+    Cluster cluster(setup, {.step = 2e-6, .longest_contact = 4e-3});
+    REQUIRE(cluster.advance(2000));
+    const auto finished = cluster.take_finished();
+    const Encounter e = finished.empty() ? cluster.contacts().front().record : finished.front();
+    CHECK(e.how == EncounterEnd::deformed_rebound);
+  }
+}
+
 TEST_CASE("the turning point of a collision is located inside its step") {
   // Without damping it lies at half the contact. The scheme's own error is below (π²/12)(h/t_col)², far below a step.
   const double tcol = std::numbers::pi * std::sqrt(mass_eff / 5000);

@@ -73,6 +73,23 @@ TEST_CASE("a run that breaks down leaves what can be resumed, or nothing") {
   CHECK_FALSE(fs::exists(folder.path / "flies"));
 }
 
+TEST_CASE("contacts.csv names a permanent contact, and a breakage where the contact can take up no more") {
+  // Two spheres of 8.38e-3 kg meet at 1 m/s: ½ m v² = 2.1e-3 J of their effective mass.
+  const auto ended = [](const std::string& energy) {
+    const Folder folder;
+    const std::string scene = R"({"duration": 1, "materials": {"clay": {"density": 2000}}, "interactions": [{"between":
+      ["clay", "clay"], "law": {"name": "fractional", "k": 1000, "c": 1, "alpha": 1})" +
+                              energy + R"(}], "spheres": [
+      {"radius": 0.01, "material": "clay", "position": [0, 0, 0], "velocity": [0.5, 0, 0]},
+      {"radius": 0.01, "material": "clay", "position": [0.0201, 0, 0], "velocity": [-0.5, 0, 0]}]})";
+    REQUIRE(run(read_scene("clay.json", scene), folder.path, false) == 0);
+    return read(folder.path / "contacts.csv");
+  };
+  CHECK(ended("").find(",,permanent contact,compression") != std::string::npos);
+  CHECK(ended(R"(, "breakage_energy": 3e-3)").find(",,permanent contact,") != std::string::npos);
+  CHECK(ended(R"(, "breakage_energy": 1e-3)").find(",,breakage,compression") != std::string::npos);
+}
+
 TEST_CASE("a run does not overwrite another, nor continue one of another scene") {
   const Folder folder;
   const Scene scene = bounce("0.01");

@@ -104,6 +104,10 @@ TEST_CASE("every mistake in a scene is one line that says where, what, and what 
         "s.json: /interactions: no entry between \"grain\" and \"plate\", which can meet; it must be given");
   CHECK(complaint(with("[\"grain\", \"plate\"]", "[\"grain\", \"grain\"]")) ==
         "s.json: /interactions/1/between = [\"grain\",\"grain\"]: must be a pair that is given once");
+  CHECK(complaint(with("[\"grain\", \"plate\"]", "[\"grain\", \"plate\"], \"breakage_energy\": -1"))
+            .find("breakage_energy = -1: must be a number >= 0") != std::string::npos);
+  CHECK(complaint(with("\"alpha\": 0.3", "\"alpha\": -0.3")) ==
+        "s.json: /interactions/1/law/alpha = -0.3: must be in [0, 1]");
   CHECK(complaint(with("\"alpha\": 0.3", "\"alpha\": 1.3")) ==
         "s.json: /interactions/1/law/alpha = 1.3: must be in [0, 1]");
   CHECK(complaint(with("\"linear\"", "\"hooke\"")) ==

@@ -89,6 +89,7 @@ TEST_CASE("a state reads back to the last bit, every number in its own place") {
     CHECK(d.friction.torsion == c.friction.torsion);
     CHECK(d.friction.rolling == c.friction.rolling);
     CHECK(d.stored == c.stored);
+    CHECK(d.impact_rate == c.impact_rate);
     CHECK(d.speed_scale == c.speed_scale);
   }
 }
@@ -96,7 +97,7 @@ TEST_CASE("a state reads back to the last bit, every number in its own place") {
 TEST_CASE("the file says by name what it holds") {
   const Json state = Json::parse(write_checkpoint(scene(), saved()));
   const ClusterState& s = saved().state;
-  CHECK(state.at("schema") == "ricochet/state/2");
+  CHECK(state.at("schema") == "ricochet/state/3");
   CHECK(state.at("lost_normal") == s.lost_normal);
   CHECK(state.at("lost_friction") == s.lost_friction);
   CHECK(state.at("contacts").at(0).at("memory") == s.memories[0].values);
@@ -132,8 +133,8 @@ TEST_CASE("a contact of a state is checked against the scene") {
   const std::string first = "/contacts/0/";
   CHECK(with(first + "how", -1) == start + first + "how = -1: must be an integer from 0 to 0");
   CHECK(with(first + "how", 99) == start + first + "how = 99: must be an integer from 0 to 0");
-  CHECK(with("/contacts/1/how", 0) == start + "/contacts/1/how = 0: must be an integer from 1 to 4");
-  CHECK(with("/contacts/1/how", 5) == start + "/contacts/1/how = 5: must be an integer from 1 to 4");
+  CHECK(with("/contacts/1/how", 0) == start + "/contacts/1/how = 0: must be an integer from 1 to 6");
+  CHECK(with("/contacts/1/how", 7) == start + "/contacts/1/how = 7: must be an integer from 1 to 6");
   CHECK(with("/contacts/1/end", -1) == start + "/contacts/1/end = -1: must be a number >= 0");
   CHECK(with(first + "begin", 1) == start + first + "begin = 1: must be at most the time of the state");
   CHECK(with(first + "pair/0", 6) == start + first + "pair/0 = 6: must be an integer from 0 to 5");
@@ -161,7 +162,7 @@ TEST_CASE("what is no state of this scene and version is told apart") {
   CHECK(with("/schema", "ricochet/scene/1") == complaint({}));
   CHECK(with("/schema", "ricochet/state/1") ==
         start +
-            "/schema = \"ricochet/state/1\": must be \"ricochet/state/2\", as this version of simulate saves; "
+            "/schema = \"ricochet/state/1\": must be \"ricochet/state/3\", as this version of simulate saves; "
             "start again without --resume");
   CHECK(with("/scene", "1") == start + "of another scene; must be of the one given");
   CHECK_THROWS_WITH(read_checkpoint("d/state.json", "{\"schema\": ", scene()), Catch::Contains("must be a state"));

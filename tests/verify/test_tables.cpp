@@ -88,8 +88,8 @@ TEST_CASE("one figure a scheme that has an order, with the stated slope in every
   REQUIRE(figures.size() == 2);
   CHECK(figures[0].name == "toy-a");
   CHECK(figures[0].script.find("α = 0.1") != std::string::npos);
-  CHECK(figures[0].script.find("set label 1 '2'") != std::string::npos);
-  CHECK(figures[1].script.find("set label 1 '1'") != std::string::npos);
+  CHECK(figures[0].script.find("set label '2' at") != std::string::npos);
+  CHECK(figures[1].script.find("set label '1' at") != std::string::npos);
   CHECK(convergence_figures({case_of("C", "t", 0.1, std::nullopt)}, "toy").empty());
 }
 

@@ -2,6 +2,7 @@
 
 #include "convergence_tables.hpp"
 
+#include <console/gnuplot.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -45,40 +46,37 @@ std::vector<std::string> functions_of(const std::vector<Panel>& panels) {
   return functions;
 }
 
-/// A triangle of slope −order between two numbers of steps, a factor below the lowest error that the curves of that
-/// order have there.
-std::string triangle(const Panel& panel, double order, int object) {
+/// Adds a triangle of slope −order between two numbers of steps, a factor below the lowest error that the curves of
+/// that order have there; `place` counts the triangles of a panel.
+void add_triangle(console::Panel& drawn, const Panel& panel, double order, std::size_t place) {
   const auto& steps = panel.cases.front()->steps;
   // A second order's triangle stands farther right, where it does not cover the first.
-  const std::size_t first = (object % 2 == 1 ? 2 : 5) * steps.size() / 9;
+  const std::size_t first = (place % 2 == 0 ? 2 : 5) * steps.size() / 9;
   const std::size_t last = std::min(first + 2, steps.size() - 1);
   double least = std::numeric_limits<double>::infinity();
   const double n1 = static_cast<double>(steps[first]), n2 = static_cast<double>(steps[last]);
   for (const Convergence* c : panel.cases)
     for (std::size_t i = first; i <= last && *c->statement.order == order; ++i)
       if (c->errors[i] > 0) least = std::min(least, c->errors[i] * std::pow(static_cast<double>(steps[i]) / n1, order));
-  if (!std::isfinite(least)) return {};
+  if (!std::isfinite(least)) return;
   const double top = 0.3 * least, bottom = top * std::pow(n1 / n2, order);
-  return fmt::format(
-      "set object {0} polygon from {1},{2} to {1},{3} to {4},{3} to {1},{2} fs transparent solid 0.15 fc rgb "
-      "'#767676'\n"
-      "set label {0} '{5:.3g}' at {1},{6} right offset -0.6,0 font ',10' tc rgb '#767676'\n",
-      object, n1, shortest(top), shortest(bottom), n2, order, shortest(std::sqrt(top * bottom)));
+  const std::string gray = console::palette::gray;
+  drawn.polygons.push_back(
+      {{{n1, top}, {n1, bottom}, {n2, bottom}}, "fs transparent solid 0.15 fc rgb '" + gray + "'"});
+  drawn.labels.push_back({fmt::format("{:.3g}", order), n1, std::sqrt(top * bottom),
+                          fmt::format("right offset -0.6,0 font ',10' tc rgb '{}'", gray)});
 }
 
-std::string triangles(const Panel& panel) {
+void add_triangles(console::Panel& drawn, const Panel& panel) {
   std::vector<double> orders;
   for (const Convergence* c : panel.cases) orders.push_back(*c->statement.order);
   std::sort(orders.begin(), orders.end());
   orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
-  std::string script = "unset object\nunset label\n";
-  int object = 1;
-  for (const double order : orders) script += triangle(panel, order, object++);
-  return script;
+  for (std::size_t k = 0; k < orders.size(); ++k) add_triangle(drawn, panel, orders[k], k);
 }
 
 std::string style(std::size_t function) {
-  return fmt::format("with linespoints lt {} lw 1.6 pt {} ps 0.6", function % 7 + 1, function + 4);
+  return fmt::format("linespoints lt {} lw 1.6 pt {} ps 0.6", function % 7 + 1, function + 4);
 }
 
 /// "t_col" with all of "col" below the line.
@@ -128,38 +126,49 @@ std::string file_word(const std::string& scheme) {
   return word;
 }
 
-std::string script_of(const std::vector<Panel>& panels, const std::vector<std::string>& functions,
-                      const std::string& file) {
+/// The axes of all panels.
+console::Panel empty_panel(const std::vector<Panel>& panels) {
   const auto [low, high] = error_range(panels);
   const auto& steps = panels.front().cases.front()->steps;
-  std::string script = fmt::format(
-      "set multiplot layout {},3 margins 0.07,0.99,0.09,0.95 spacing 0.055,0.13\nunset key\nset logscale xy\n"
-      "set xrange [{}:{}]\nset yrange [1e{}:1e{}]\nset format y '10^{{%T}}'\nset xlabel 'N' offset 0,0.6\n"
-      "set ylabel 'error' offset 1.2,0\nset ytics 100\nunset mytics\n",
-      (panels.size() + 3) / 3, shortest(0.6 * static_cast<double>(steps.front())),
-      shortest(1.6 * static_cast<double>(steps.back())), low, high);
+  return {.x = {.label = "N",
+                .log = true,
+                .range = std::pair(0.6 * static_cast<double>(steps.front()), 1.6 * static_cast<double>(steps.back())),
+                .label_offset = "0,0.6"},
+          .y = {.label = "error",
+                .log = true,
+                .range = std::pair(std::pow(10, low), std::pow(10, high)),
+                .format = "10^{%T}",
+                .tics = 100,
+                .minor_tics = false,
+                .label_offset = "1.2,0"}};
+}
+
+std::string drawn(const std::vector<Panel>& panels, const std::vector<std::string>& functions,
+                  const std::string& file) {
+  console::Plot plot{.layout = console::Layout{.rows = static_cast<int>((panels.size() + 3) / 3),
+                                               .columns = 3,
+                                               .left = 0.07,
+                                               .right = 0.99,
+                                               .bottom = 0.09,
+                                               .top = 0.95,
+                                               .between_columns = 0.055,
+                                               .between_rows = 0.13},
+                     .key_panel = "at graph 0.05,0.9 left top spacing 1.3 samplen 2"};
   std::size_t block = 0;
   for (const Panel& panel : panels) {
-    script += fmt::format("set title 'α = {}' offset 0,-0.5\n{}", panel.alpha, triangles(panel));
-    std::string separator = "plot ";
+    plot.panels.push_back(empty_panel(panels));
+    console::Panel& one = plot.panels.back();
+    one.title = fmt::format("α = {}", panel.alpha);
+    add_triangles(one, panel);
     for (const Convergence* c : panel.cases) {
       const auto function = std::find(functions.begin(), functions.end(), c->statement.function) - functions.begin();
-      script += fmt::format("{}'{}' {}index {} using 3:4 {} notitle", separator, file, block == 0 ? "skip 1 " : "",
-                            block, style(static_cast<std::size_t>(function)));
-      separator = ", \\\n  ";
-      ++block;
+      one.curves.push_back(
+          {.file = file, .block = block++, .what = "3:4", .style = style(static_cast<std::size_t>(function))});
     }
-    script += "\n";
   }
-  script +=
-      "unset object\nunset label\nunset title\nunset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\n"
-      "set key at graph 0.05,0.9 left top spacing 1.3 samplen 2\nset xrange [1:2]\nset yrange [1:2]\n";
-  std::string separator = "plot ";
-  for (std::size_t i = 0; i < functions.size(); ++i) {
-    script += fmt::format("{}NaN {} title '{}'", separator, style(i), enhanced(functions[i]));
-    separator = ", ";
-  }
-  return script + "\nunset multiplot\n";
+  for (std::size_t i = 0; i < functions.size(); ++i)
+    plot.key.push_back({.style = style(i), .title = enhanced(functions[i])});
+  return script_of(plot);
 }
 
 /// What was observed against what is stated, in words.
@@ -187,7 +196,7 @@ std::vector<console::Figure> convergence_figures(const std::vector<Convergence>&
     figures.push_back(
         {.name = name,
          .caption = fmt::format("{}: error against the number of steps N; triangles: the stated order.", scheme),
-         .script = script_of(panels, functions_of(panels), file),
+         .script = drawn(panels, functions_of(panels), file),
          .data = {{file, csv_of(panels)}},
          .width = 1050,
          .height = 330 * static_cast<int>((panels.size() + 3) / 3),

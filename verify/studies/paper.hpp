@@ -59,6 +59,9 @@ inline constexpr Table2 table2;
 
 /// Figs. 3 and 4: the fractional law of one k and c for the pair above.
 inline constexpr double alpha_study_k = 5000, alpha_study_c = 0.1;
+/// The conversion degrees of their right group, and for how long Fig. 3 shows it [s]; the other ones are not legible.
+inline constexpr std::array no_rebound_degrees{1.0, 1.3, 1.6};
+inline constexpr double no_rebound_shown = 0.5e-3;
 
 /// The number of (57) whose exponent is not legible.
 inline constexpr double estimate_factor = 1.641;

@@ -19,17 +19,19 @@ struct Observed {
 /// and leaves its duration alone: t_col keeps order 2.
 double stated_order(FractionalScheme scheme, double alpha, bool tcol) {
   switch (scheme) {
-    case FractionalScheme::rectangle: return 1;
+    case FractionalScheme::rectangle:
+    case FractionalScheme::rectangle_integral: return 1;
     case FractionalScheme::arms_trapezoid: return tcol ? 2 : 2 - alpha;
     case FractionalScheme::arms_rosenbrock: return 4;
     default: return 2;
   }
 }
 
-/// Terms a gap above the stated order: 1−α for (59) and the trapezoid rules, α between h^{2−α} and h².
+/// Terms a gap above the stated order: 1−α for (59) and the trapezoid rules, α between h^{2−α} and h², −α for (60).
 double allowance(FractionalScheme scheme, double alpha, bool tcol) {
   double gap = 1 - alpha;
   if (scheme == FractionalScheme::arms_trapezoid && !tcol) gap = alpha;
+  if (scheme == FractionalScheme::rectangle_integral) gap = -alpha;
   if (scheme == FractionalScheme::arms_rosenbrock) gap = 1;
   return gap < 0.5 ? 0.15 : 0.1;
 }
@@ -100,8 +102,10 @@ Observed reference_of(Solver& solver, double alpha, std::size_t finest, Against 
 
 }  // namespace
 
-SolverConvergence measure(FractionalScheme scheme, double alpha, const std::vector<std::size_t>& steps,
+SolverConvergence measure(FractionalScheme scheme, double order, const std::vector<std::size_t>& steps,
                           Against against) {
+  const bool integral = scheme == FractionalScheme::rectangle_integral;
+  const double alpha = integral ? -order : order;
   SolverConvergence result = statements(scheme, alpha);
   Solver solver(scheme, alpha, against);
   const Observed reference = reference_of(solver, alpha, steps.back(), against);
@@ -113,7 +117,7 @@ SolverConvergence measure(FractionalScheme scheme, double alpha, const std::vect
     for (int k = 0; k < trials; ++k) {
       const FractionalSolverResult r = solver.solve(n, static_cast<double>(k) / offsets);
       const double nan = std::nan("");
-      const bool ended = r.status == CollisionStatus::ended_by_force;
+      const bool ended = r.separated();
       en.push_back(ended ? r.en / reference.en - 1 : nan);
       tcol.push_back(ended ? r.tcol / reference.tcol - 1 : nan);
       overlap.push_back(ended ? r.overlap_end / reference.overlap_end - 1 : nan);
@@ -122,7 +126,7 @@ SolverConvergence measure(FractionalScheme scheme, double alpha, const std::vect
     }
     add(result.en, n, en);
     add(result.tcol, n, tcol);
-    add(result.overlap_end, n, overlap);
+    if (!integral) add(result.overlap_end, n, overlap);
     result.multiplications.push_back(multiplications);
     result.kernel_evaluations.push_back(kernels);
   }

@@ -19,6 +19,7 @@ struct SolverConvergence {
 /// arms as differential equations, whose method has its order on a kernel that is kept.
 enum class Against { closed_form, own_limit };
 
+/// The (60) of a collision has α < 0: it is measured for −alpha, and has no overlap at the end.
 /// For the collocation N is its number of nodes, and nothing is stated but that it is exact.
 SolverConvergence measure(FractionalScheme scheme, double alpha, const std::vector<std::size_t>& steps,
                           Against against = Against::closed_form);
@@ -29,5 +30,10 @@ Against stated_against(FractionalScheme scheme);
 inline constexpr FractionalScheme stepping_schemes[] = {
     FractionalScheme::rectangle, FractionalScheme::trapezoid, FractionalScheme::arms_trapezoid,
     FractionalScheme::arms_exponential, FractionalScheme::arms_rosenbrock};
+
+/// The same and (60), which is about a law of its own.
+inline constexpr FractionalScheme studied_schemes[] = {
+    FractionalScheme::rectangle,      FractionalScheme::rectangle_integral, FractionalScheme::trapezoid,
+    FractionalScheme::arms_trapezoid, FractionalScheme::arms_exponential,   FractionalScheme::arms_rosenbrock};
 
 }  // namespace ricochet::verify

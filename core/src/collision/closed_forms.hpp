@@ -10,6 +10,13 @@ namespace ricochet::collision {
 Collision closed_form(const Linear& law, const Impact& impact, ContactEnd end);
 Collision closed_form(const Hysteretic& law, const Impact& impact, ContactEnd end);
 Collision closed_form(const Fractional& law, const Impact& impact, ContactEnd end);
+/// What a collision that ends at rest (26) has taken up by then [J].
+inline double energy_at_rest(const Impact& impact) {
+  return 0.5 * impact.mass_eff * impact.velocity * impact.velocity * (1 - at_rest * at_rest);
+}
+
+/// The same for α ≥ 1, which ends at rest.
+Collision come_to_rest(const Fractional& law, const Impact& impact, double breakage_energy);
 
 /// `unit` [s] is the time the scaled collision was counted in: turns it into SI units. Scales that are no normal double
 /// (parameters that are far apart) would give zeros, infinities or lost digits: out_of_range.

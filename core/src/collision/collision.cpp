@@ -9,9 +9,10 @@
 namespace ricochet {
 namespace {
 
-void require_impact(const Impact& impact) {
+void require_impact(const Impact& impact, const CollideOptions& options) {
   support::require_positive("velocity", impact.velocity);
   support::require_positive("mass_eff", impact.mass_eff);
+  support::require(options.breakage_energy >= 0, "breakage_energy", options.breakage_energy, ">= 0");
 }
 
 template <class Motion, class Law>
@@ -38,38 +39,34 @@ void require_numerical(const CollideOptions& options, const char* law) {
 }  // namespace
 
 Collision collide(const Linear& law, const Impact& impact, const CollideOptions& options) {
-  require_impact(impact);
+  require_impact(impact, options);
   if (options.method != CollideMethod::numerical) return collision::closed_form(law, impact, options.end);
   return integrate<collision::LinearMotion>(law, impact, options);
 }
 
 Collision collide(const KuwabaraKono& law, const Impact& impact, const CollideOptions& options) {
-  require_impact(impact);
+  require_impact(impact, options);
   require_numerical(options, "Kuwabara-Kono");
   return integrate<collision::KuwabaraKonoMotion>(law, impact, options);
 }
 
 Collision collide(const Tsuji& law, const Impact& impact, const CollideOptions& options) {
-  require_impact(impact);
+  require_impact(impact, options);
   require_numerical(options, "Tsuji");
   return integrate<collision::TsujiMotion>(law, impact, options);
 }
 
 Collision collide(const Hysteretic& law, const Impact& impact, const CollideOptions& options) {
-  require_impact(impact);
+  require_impact(impact, options);
   if (options.method != CollideMethod::numerical) return collision::closed_form(law, impact, options.end);
   return integrate(law, impact, options);
 }
 
 Collision collide(const Fractional& law, const Impact& impact, const CollideOptions& options) {
-  require_impact(impact);
-  const bool gains = law.alpha() < 0;
-  if (options.method == CollideMethod::closed_form)
-    support::require(!gains, "alpha", law.alpha(), ">= 0 for the closed form");
-  const double order = 2 - law.alpha();  // of the motion's equation
-  if (options.end == ContactEnd::force && order <= 1) return {};
-  if (options.method == CollideMethod::numerical || gains)
-    return collision::follow_fractional(law, impact, options.end);
+  require_impact(impact, options);
+  support::require(law.alpha() >= -1, "alpha", law.alpha(), "in [-1, 2) for a collision");
+  if (law.force_fades()) return collision::come_to_rest(law, impact, options.breakage_energy);
+  if (options.method == CollideMethod::numerical) return collision::follow_fractional(law, impact, options.end);
   return collision::closed_form(law, impact, options.end);
 }
 

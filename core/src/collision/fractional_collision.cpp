@@ -3,6 +3,7 @@
 
 #include <ricochet/collision/fractional_collocation.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/support/root.hpp>
 
 #include <cmath>
 
@@ -14,6 +15,9 @@ double unit_of(const Fractional& law, const Impact& impact) {
   return std::pow(impact.mass_eff / law.coefficient(), 1 / (2 - law.alpha()));
 }
 
+/// Which zero comes first of those that may end the collision: below α = 0 that of the overlap alone.
+ContactEnd first_end(const Fractional& law, ContactEnd asked) { return law.alpha() < 0 ? ContactEnd::overlap : asked; }
+
 CollisionStatus ended_by(ContactEnd end) {
   return end == ContactEnd::force ? CollisionStatus::ended_by_force : CollisionStatus::ended_by_overlap;
 }
@@ -21,10 +25,10 @@ CollisionStatus ended_by(ContactEnd end) {
 }  // namespace
 
 Collision closed_form(const Fractional& law, const Impact& impact, ContactEnd end) {
-  if (law.alpha() >= (end == ContactEnd::force ? 1 : overlap_limit)) return {};
+  if (end == ContactEnd::overlap && law.alpha() >= overlap_limit) return {};
   const FractionalContact contact = fractional_contact(law.alpha(), end);
   Collision out;
-  out.status = ended_by(end);
+  out.status = ended_by(first_end(law, end));
   out.tcol = contact.tau;
   out.en = contact.en;
   out.overlap_end = contact.overlap_end * contact.tau;
@@ -35,8 +39,22 @@ Collision closed_form(const Fractional& law, const Impact& impact, ContactEnd en
   return in_units(out, impact, unit_of(law, impact));
 }
 
-Collision follow_fractional(const Fractional& law, const Impact& impact, ContactEnd end) {
+Collision come_to_rest(const Fractional& law, const Impact& impact, double breakage_energy) {
+  const double a = 2 - law.alpha();
+  // E_{a,1}(−y) ≤ 1/(1 + y/Γ(1+a)) for 0 < a ≤ 1 (T. Simon, Electron. J. Probab. 19 (2014)), and Γ(1+a) ≤ 1.
+  const double y = support::root([=](double z) { return mittag_leffler(a, 1, -z) - at_rest; }, 0, 1 / at_rest);
+  Collision out;
+  const bool breaks = energy_at_rest(impact) >= breakage_energy;
+  out.status = breaks ? CollisionStatus::breakage : CollisionStatus::permanent_contact;
+  out.tcol = out.time_max_overlap = std::pow(y, 1 / a);
+  out.overlap_end = out.max_overlap = out.tcol * mittag_leffler(a, 2, -y);
+  out.max_force = a < 1 ? 0 : 1;  // of the dashpot: at the touch
+  return in_units(out, impact, unit_of(law, impact));
+}
+
+Collision follow_fractional(const Fractional& law, const Impact& impact, ContactEnd asked) {
   constexpr int nodes = 32;
+  const ContactEnd end = first_end(law, asked);
   const FractionalSolution solved = collocate_collision(law.alpha(), nodes, end);
   // The polynomials carry the speed to some 1e-15 of v₀, and the square of that of an overlap's end: a rebound slower
   // than these is not told from none.

@@ -81,8 +81,9 @@ FractionalSolution summary(const FractionalMotion& motion, double alpha, Contact
 
 }  // namespace
 
-FractionalSolution collocate_collision(double alpha, int nodes, ContactEnd end) {
+FractionalSolution collocate_collision(double alpha, int nodes, ContactEnd asked) {
   support::require(alpha >= -1 && alpha < 2, "alpha", alpha, "in [-1, 2)");
+  const ContactEnd end = alpha < 0 ? ContactEnd::overlap : asked;  // the force still repels at the overlap's zero
   FractionalSolution solution;
   // 10.5 holds the end of every collision by force with 0 ≤ α ≤ 0.98; past 70 nothing is left to come.
   for (double horizon = shortest; alpha < 1 && horizon < 70; horizon *= 1.6) {

@@ -35,11 +35,17 @@ double end_by_overlap(double a, double z_max_overlap) {
 
 void require_degree(double alpha, ContactEnd end) {
   if (end == ContactEnd::force)
-    support::require(alpha >= 0 && 2 - alpha > 1, "alpha", alpha,
-                     "in [0, 1) for a contact that ends by force, and told from 1 by the rounding of 2 - alpha");
+    support::require(alpha >= -1 && 2 - alpha > 1, "alpha", alpha,
+                     "in [-1, 1) for a contact that ends by force, and told from 1 by the rounding of 2 - alpha");
   else
-    support::require(alpha >= 0 && alpha < overlap_limit, "alpha", alpha,
-                     "in [0, 0.400884...) for a contact that ends by overlap");
+    support::require(alpha >= -1 && alpha < overlap_limit, "alpha", alpha,
+                     "in [-1, 0.400884...) for a contact that ends by overlap");
+}
+
+/// z of the greatest force before the end: dR/dt ∝ E_{a,a−1}(−z). At α = −1 it is the end itself.
+double strongest(double a, double end) {
+  if (e(a, a - 1, end) >= 0) return end;
+  return root([=](double z) { return e(a, a - 1, z); }, 0, end);
 }
 
 }  // namespace
@@ -50,15 +56,16 @@ FractionalContact fractional_contact(double alpha, ContactEnd end) {
   FractionalContact c{};
   c.alpha = alpha;
   c.z_max_overlap = zero_after(2, a, 1);
-  const double z_force = end_by_force(a);
-  c.z_star = end == ContactEnd::force ? z_force : end_by_overlap(a, c.z_max_overlap);
+  const bool by_force = end == ContactEnd::force && alpha >= 0;
+  const double z_force = alpha >= 0 ? end_by_force(a) : 0;
+  c.z_star = by_force ? z_force : end_by_overlap(a, c.z_max_overlap);
   c.tau = std::pow(c.z_star, 1 / a);
-  c.en = alpha > 0 ? std::min(1.0, -e(a, 1, c.z_star)) : 1;
-  c.overlap_end = end == ContactEnd::force && alpha > 0 ? e(a, 2, c.z_star) : 0.0;
+  const double en = -e(a, 1, c.z_star);
+  c.en = alpha > 0 ? std::min(1.0, en) : alpha < 0 ? std::max(1.0, en) : 1;
+  c.overlap_end = by_force && alpha > 0 ? e(a, 2, c.z_star) : 0.0;
   c.t_max_overlap = std::pow(c.z_max_overlap / c.z_star, 1 / a);
   c.max_overlap = c.t_max_overlap * e(a, 2, c.z_max_overlap);
-  // dR/dt ∝ E_{a,a−1}(−y)
-  const double z_max_force = root([=](double z) { return e(a, a - 1, z); }, 0, z_force);
+  const double z_max_force = strongest(a, alpha >= 0 ? z_force : c.z_star);
   c.t_max_force = std::pow(z_max_force / c.z_star, 1 / a);
   c.max_force = c.z_star * std::pow(c.t_max_force, a - 1) * e(a, a, z_max_force);
   return c;

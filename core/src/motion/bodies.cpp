@@ -110,6 +110,8 @@ void check(const ClusterSetup& setup) {
       throw std::invalid_argument("materials " + std::to_string(a) + " and " + std::to_string(b) +
                                   " can meet: must have an interaction");
     found->second.law.require_motion();
+    const double breakage = found->second.breakage_energy;
+    support::require(breakage >= 0, "breakage_energy", breakage, ">= 0");
   };
   const auto lightest = lightest_of(setup);
   for (const auto& [a, of_a] : lightest)

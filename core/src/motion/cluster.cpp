@@ -11,8 +11,14 @@ namespace ricochet {
 using support::require;
 
 std::string_view name(EncounterEnd end) noexcept {
-  constexpr std::string_view names[] = {"open", "elastic rebound", "rebound with deformation", "dynamic contact",
-                                        "static contact"};
+  constexpr std::string_view names[] = {"open",
+                                        "elastic rebound",
+                                        "rebound with deformation",
+                                        "dynamic contact",
+                                        "static contact",
+                                        "permanent contact",
+                                        "breakage"};
+  static_assert(std::size(names) == encounter_end_count);
   return names[static_cast<std::size_t>(end)];
 }
 
@@ -86,7 +92,7 @@ void Cluster::add_models(const Interactions& interactions) {
     auto normal =
         interaction.law.contacts({options_.step, interaction.end, options_.longest_contact, options_.kernel_tolerance});
     kernel_error_ = std::max(kernel_error_, normal->kernel_error());
-    models_.push_back({interaction.friction, interaction.end, std::move(normal), {}});
+    models_.push_back({interaction.friction, interaction.end, interaction.breakage_energy, std::move(normal), {}});
   }
 }
 

@@ -64,7 +64,9 @@ void Cluster::prepare_rows() {
     Row& row = rows_[k];
     const ContactGeometry& g = row.geometry;
     const std::uint32_t i = c.record.i, j = c.record.j;
-    const bool silent = options_.reclosing == Reclosing::silent && c.record.end != Encounter::never;
+    // After (26) the force goes on: it never was zero.
+    const bool let_go = c.record.end != Encounter::never && c.record.how < EncounterEnd::permanent_contact;
+    const bool silent = options_.reclosing == Reclosing::silent && let_go;
     motion::NormalRow& normal = normals_[k];
     normal = {};
     normal.overlap = g.overlap;
@@ -241,6 +243,7 @@ void Cluster::conclude() {
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     ContactState& c = state_.contacts[k];
     state_.lost_normal += normals_[k].loss;
+    if (c.record.how == EncounterEnd::permanent_contact) note_breakage(c, normals_[k].mobility);
     if (c.record.end != Encounter::never && c.record.how == EncounterEnd::open)
       c.record.how = how_it_ended(c, normals_[k].rate_mid, rows_[k]);
   }
@@ -250,6 +253,12 @@ EncounterEnd Cluster::how_it_ended(const ContactState& c, double rate_mid, const
   const double still = 1e-9 * c.speed_scale;
   if (std::abs(rate_mid) > still) return EncounterEnd::deformed_rebound;
   return norm(row.before.slip) > still ? EncounterEnd::dynamic_contact : EncounterEnd::static_contact;
+}
+
+// What the approach has lost of its energy by t_e is that of the impact, less the share at rest.
+void Cluster::note_breakage(ContactState& c, double mobility) const noexcept {
+  const double taken = 0.5 * c.impact_rate * c.impact_rate * (1 - at_rest * at_rest) / mobility;
+  if (taken >= models_[c.model].breakage_energy) c.record.how = EncounterEnd::breakage;
 }
 
 void Cluster::conclude_friction(ContactState& c, const Row& row, const SlipMotion& after) {

@@ -3,6 +3,7 @@
 #include "convergence.hpp"
 #include "figures.hpp"
 #include "run.hpp"
+#include "sign.hpp"
 
 #include <verify/registry.hpp>
 
@@ -159,6 +160,9 @@ class ClusterStudy : public Study {
     cluster::duration_gates(result.gates, scan);
     result.tables = {shares(strong, weak), collisions(strong.front()), collisions(weak.front()),
                      cluster::duration_table(scan), cluster::convergence_table(orders)};
+    const auto signs = cluster::sign_cases();
+    result.tables.push_back(cluster::sign_table(signs));
+    for (const Gate& gate : cluster::sign_gates(signs)) result.gates.push_back(gate);
     result.figures = {
         cluster::trajectories(strong.front(), weak.front()), cluster::velocities(strong.front(), weak.front()),
         cluster::sequence(strong.front(), weak.front(), duration), cluster::binary(strong, weak, duration)};

@@ -6,6 +6,7 @@
 
 #include <verify/registry.hpp>
 
+#include <console/gnuplot.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -73,24 +74,33 @@ std::string work_csv(const std::vector<SolverConvergence>& all) {
   return csv;
 }
 
+/// A ring around the point of thirty steps.
+console::Curve ring(std::size_t block) {
+  return {.file = "collision-work.csv",
+          .block = block,
+          .what = fmt::format("3:($2 == {} ? $4 : NaN)", paper::steps),
+          .style = "points pt 6 ps 2 lc rgb 'black'",
+          .title = block == 0 ? "N = 30, the choice of the paper" : ""};
+}
+
 console::Figure work_figure(const std::vector<SolverConvergence>& all) {
-  std::string script =
-      "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset xlabel 'multiplications a collision'\n"
-      "set ylabel 'relative error of e_n'\nset key outside right top\nset xrange [10:2e7]\n"
-      "set yrange [1e-15:2]\nplot ";
+  console::Panel panel{
+      .x = {.label = "multiplications a collision", .log = true, .range = std::pair(10.0, 2e7), .format = "10^{%L}"},
+      .y = {.label = "relative error of e_n", .log = true, .range = std::pair(1e-15, 2.0), .format = "10^{%L}"},
+      .key = "outside right top"};
   for (std::size_t block = 0; block < all.size(); ++block) {
-    const std::string at = fmt::format("'collision-work.csv' index {}{}", block, block == 0 ? " skip 1" : "");
-    script += fmt::format("{}{} using 3:4 with linespoints lw 2 ps 0.8 pt {} lc {} title '{}'",
-                          block == 0 ? "" : ", \\\n  ", at, block + 4, block + 1, name(all[block].scheme));
-    if (all[block].scheme == FractionalScheme::collocation) continue;
-    script += fmt::format(", \\\n  {} using 3:($2 == {} ? $4 : NaN) with points pt 6 ps 2 lc rgb 'black' {}", at,
-                          paper::steps, block == 0 ? "title 'N = 30, the choice of the paper'" : "notitle");
+    panel.curves.push_back({.file = "collision-work.csv",
+                            .block = block,
+                            .what = "3:4",
+                            .style = fmt::format("linespoints lw 2 ps 0.8 pt {} lc {}", block + 4, block + 1),
+                            .title = std::string(name(all[block].scheme))});
+    if (all[block].scheme != FractionalScheme::collocation) panel.curves.push_back(ring(block));
   }
   return {.name = "collision-work",
           .caption =
               "Error of the restitution against the multiplications a collision costs, for every solver at "
               "alpha = 0.25; circles: 30 steps a contact.",
-          .script = script + "\n",
+          .script = console::script_of({.panels = {panel}}),
           .data = {{"collision-work.csv", work_csv(all)}},
           .width = 1000,
           .height = 560};
@@ -148,7 +158,7 @@ class CollisionStudy : public Study {
   void add_options(CLI::App& app) override { wanted_.add_options(app); }
   StudyResult run(const RunOptions& options) override {
     std::vector<std::string> schemes;
-    for (const FractionalScheme scheme : stepping_schemes) schemes.emplace_back(ricochet::name(scheme));
+    for (const FractionalScheme scheme : studied_schemes) schemes.emplace_back(ricochet::name(scheme));
     wanted_.check(schemes, {"e_n", "t_col", "overlap_end"});
     const std::vector<Convergence> all = measure_all(options.thorough ? 4096 : 2048);
     StudyResult result = convergence_result(all, wanted_, "collision");
@@ -166,12 +176,12 @@ class CollisionStudy : public Study {
  private:
   std::vector<Convergence> measure_all(std::size_t finest) const {
     std::vector<Convergence> all;
-    for (const FractionalScheme scheme : stepping_schemes) {
+    for (const FractionalScheme scheme : studied_schemes) {
       if (!wanted_.scheme(std::string(ricochet::name(scheme)))) continue;
       for (const double alpha : wanted_.alphas()) {
         SolverConvergence s = measure(scheme, alpha, wanted_.steps(finest), stated_against(scheme));
         for (Convergence* c : {&s.en, &s.tcol, &s.overlap_end})
-          if (wanted_.function(c->statement.function)) all.push_back(std::move(*c));
+          if (!c->steps.empty() && wanted_.function(c->statement.function)) all.push_back(std::move(*c));
       }
     }
     return all;

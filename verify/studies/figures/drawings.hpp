@@ -10,12 +10,24 @@ namespace ricochet::verify::figures {
 
 /// Overlap, velocity and force of the steel sphere for growing numbers of steps.
 console::Figure figure2();
-/// Over time and in phase, three groups of α.
+/// Over time in three groups of α, and all of them in phase.
 console::Figure figure3();
 console::Figure figure4();
 
-/// Greatest distance of the solver's points in Figs. 3 and 4 from the closed form, in units of v₀.
+/// Greatest distance of the solver's points in Fig. 3 from the closed form, in units of v₀.
 double solver_distance();
+
+/// The collision of Figs. 3 and 4 at one conversion degree.
+Collision alpha_collision(double alpha, CollideMethod method = CollideMethod::automatic);
+/// The conversion degrees that they draw, ascending.
+std::vector<double> drawn_degrees();
+
+/// How that collision's time and restitution follow α.
+struct DegreeSweep {
+  std::vector<double> alpha, tcol, en;
+};
+DegreeSweep sweep_degrees();
+console::Figure degree_figure(const DegreeSweep& sweep);
 
 /// A law of Table II with the printed coefficients.
 struct PrintedLaw {
@@ -25,8 +37,15 @@ struct PrintedLaw {
 };
 
 std::vector<PrintedLaw> table2_laws();
+/// Their names from the greatest overlap at the end to the least.
+std::vector<const PrintedLaw*> by_end_overlap(const std::vector<PrintedLaw>& laws);
 
 /// The collision of the pair under each of them.
 console::Figure figure5(const std::vector<PrintedLaw>& laws);
+
+/// F and 𝒯 of Eqs. (36), (44), and by sums over the disc.
+console::Figure disc_figure();
+/// Greatest distance of the two.
+double disc_distance();
 
 }  // namespace ricochet::verify::figures

@@ -1,6 +1,7 @@
 #include "panels.hpp"
 
 #include <console/number.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
 
 #include <fmt/format.h>
 
@@ -14,98 +15,141 @@ namespace {
 
 using console::shortest;
 
-std::string csv_of(const std::vector<Curve>& curves) {
+/// How a Quantity is shown.
+struct Scale {
+  const char* label;
+  double (*value)(const Instant&);
+  Range Ranges::*range;
+};
+
+const Scale& scale_of(Quantity quantity) {
+  static constexpr Scale scales[] = {
+      {"t [µs]", [](const Instant& p) { return 1e6 * p.time; }, &Ranges::time},
+      {"overlap [µm]", [](const Instant& p) { return 1e6 * p.overlap; }, &Ranges::overlap},
+      {"velocity [m/s]", [](const Instant& p) { return p.rate; }, &Ranges::rate},
+      {"force [N]", [](const Instant& p) { return p.force; }, &Ranges::force}};
+  return scales[static_cast<std::size_t>(quantity) - static_cast<std::size_t>(Quantity::time)];
+}
+
+std::string csv_of(const std::vector<Path>& paths) {
   std::string csv = "curve,t [1e-6 s],overlap [1e-6 m],velocity [m/s],force [N]\n";
-  for (const Curve& curve : curves) {
-    if (&curve != &curves.front()) csv += "\n\n";
-    for (const Instant& p : curve.points)
-      csv += fmt::format("\"{}\",{},{},{},{}\n", curve.title, shortest(p.time * 1e6), shortest(p.overlap * 1e6),
+  for (const Path& path : paths) {
+    if (&path != &paths.front()) csv += "\n\n";
+    for (const Instant& p : path.points)
+      csv += fmt::format("\"{}\",{},{},{},{}\n", path.title, shortest(p.time * 1e6), shortest(p.overlap * 1e6),
                          shortest(p.rate), shortest(p.force));
   }
   return csv;
 }
 
-double coordinate(const Instant& p, int column) {
-  return column == 2 ? 1e6 * p.time : column == 3 ? 1e6 * p.overlap : column == 4 ? p.rate : p.force;
-}
-
 /// The distance of an axis's tics, 1, 2 or 5 times a power of ten: left to itself gnuplot sets so many that their
 /// labels touch in a panel of this width.
-double tic_step(const std::vector<Curve>& curves, int panel, int column) {
-  double low = 0, high = 0;
-  for (const Curve& curve : curves) {
-    if (curve.panel != panel) continue;
-    for (const Instant& p : curve.points) {
-      low = std::min(low, coordinate(p, column));
-      high = std::max(high, coordinate(p, column));
-    }
-  }
+double tic_step(std::pair<double, double> shown) {
   constexpr double intervals = 6;
-  const double least = (high - low) / intervals, power = std::pow(10.0, std::floor(std::log10(least)));
+  const double least = (shown.second - shown.first) / intervals, power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * power >= least) return factor * power;
   return 10 * power;
 }
 
-/// The curves of one panel.
-std::string plot(const std::string& file, const std::vector<Curve>& curves, int panel, const Axes& axes) {
-  std::string text;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (curves[i].panel != panel) continue;
-    text += fmt::format("{}'{}' {}index {} using {}:{} {} title '{}'", text.empty() ? "plot " : ", \\\n  ", file,
-                        i == 0 ? "skip 1 " : "", i, axes.x, axes.y, curves[i].style, curves[i].title);
-  }
-  return text + "\n";
+/// What paths take of an axis, from 0 on and a little more; what is left below 0 where they end is rounding.
+std::pair<double, double> taken(const std::vector<const Path*>& paths, const Scale& scale) {
+  double low = 0, high = 0;
+  for (const Path* path : paths)
+    for (const Instant& p : path->points) {
+      low = std::min(low, scale.value(p));
+      high = std::max(high, scale.value(p));
+    }
+  return {low > -1e-9 * high ? 0 : 1.03 * low, 1.03 * high};
+}
+
+/// One panel; `first` is the first of all paths, which the CSV counts its blocks from.
+console::Panel panel_of(const std::vector<const Path*>& paths, const Path* first, const std::string& file, Axes axes,
+                        const Ranges& ranges) {
+  const auto axis = [&](Quantity quantity, const char* label_offset) {
+    const Scale& scale = scale_of(quantity);
+    const auto shown = (ranges.*scale.range).value_or(taken(paths, scale));
+    return console::Axis{.label = scale.label, .range = shown, .tics = tic_step(shown), .label_offset = label_offset};
+  };
+  console::Panel panel{.x = axis(axes.x, "0,0.5"), .y = axis(axes.y, "1,0"), .zero_line = true};
+  for (const Path* path : paths)
+    panel.curves.push_back({.file = file,
+                            .block = static_cast<std::size_t>(path - first),
+                            .what = fmt::format("{}:{}", static_cast<int>(axes.x), static_cast<int>(axes.y)),
+                            .style = path->style,
+                            .title = path->title});
+  return panel;
 }
 
 }  // namespace
 
-std::string line(std::size_t i) {
+std::string line(std::size_t i, int dash) {
   constexpr const char* colours[] = {console::palette::purple, console::palette::blue, console::palette::green,
                                      console::palette::orange, console::palette::vermilion};
-  return fmt::format("with lines lw 2 lc '{}'", colours[i % std::size(colours)]);
+  return fmt::format("lines lw 2 dt {} lc rgb '{}'", dash, colours[i % std::size(colours)]);
 }
 
-console::Figure panels(const std::string& name, const std::string& caption, const std::vector<Curve>& curves,
+console::Figure panels(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
                        std::span<const Axes> rows, const std::vector<Column>& columns) {
   const std::string file = name + ".csv";
-  std::string script = fmt::format(
-      "set multiplot layout {},{} margins {},0.96,0.07,0.95 spacing 0.08,0.075\nset key font ',10' samplen 1.5 "
-      "spacing 1\nset xzeroaxis lt 1 lc rgb 'black' lw 0.6\nset title font ',15'\n",
-      rows.size(), columns.size(), columns.size() == 1 ? "0.13" : "0.08");
+  const int width = 400 * static_cast<int>(columns.size());
+  const double labels = 96.0 / width;  // what the labels of a column need
+  console::Plot plot{.layout = console::Layout{.rows = static_cast<int>(rows.size()),
+                                               .columns = static_cast<int>(columns.size()),
+                                               .left = labels,
+                                               .right = 0.96,
+                                               .bottom = 0.07,
+                                               .top = 0.95,
+                                               .between_columns = labels,
+                                               .between_rows = 0.075}};
   for (std::size_t row = 0; row < rows.size(); ++row)
     for (std::size_t column = 0; column < columns.size(); ++column) {
-      const Axes& axes = rows[row];
-      const int panel = static_cast<int>(column);
-      script += fmt::format(
-          "set title '{}'\nset key {}\nset xlabel '{}' offset 0,0.5\nset ylabel '{}' offset 1,0\nset xtics {}\n",
-          row == 0 ? columns[column].title : "", row == columns[column].key_row ? columns[column].key : "off",
-          axes.x_label, axes.y_label, shortest(tic_step(curves, panel, axes.x)));
-      script += plot(file, curves, panel, axes);
+      std::vector<const Path*> shown;
+      for (const Path& path : paths)
+        if (path.column == column) shown.push_back(&path);
+      console::Panel panel = panel_of(shown, paths.data(), file, rows[row], columns[column].ranges);
+      if (row == 0) panel.title = columns[column].title;
+      if (row == columns[column].key_row) panel.key = columns[column].key + " font ',10' samplen 1.5 spacing 1";
+      plot.panels.push_back(std::move(panel));
     }
   return {.name = name,
           .caption = caption,
-          .script = script + "unset multiplot\n",
-          .data = {{file, csv_of(curves)}},
-          .width = columns.size() == 1 ? 640 : 400 * static_cast<int>(columns.size()),
+          .script = script_of(plot),
+          .data = {{file, csv_of(paths)}},
+          .width = width,
           .height = 320 * static_cast<int>(rows.size())};
 }
 
-std::vector<Instant> points_of(const std::vector<Instant>& path) {
-  std::vector<Instant> points;
-  points.reserve(path.size());
-  for (const Instant& s : path) points.push_back({s.time, s.overlap, s.rate, s.force});
-  return points;
+console::Figure overlaid(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
+                         std::span<const Axes, 3> axes, const Ranges& ranges) {
+  const std::string file = name + ".csv";
+  std::vector<const Path*> all;
+  for (const Path& path : paths) all.push_back(&path);
+  console::Plot plot{.layout = console::Layout{.rows = 2,
+                                               .columns = 2,
+                                               .left = 0.09,
+                                               .right = 0.97,
+                                               .bottom = 0.09,
+                                               .top = 0.97,
+                                               .between_columns = 0.1,
+                                               .between_rows = 0.12},
+                     .key_panel = "at graph 0.02,0.98 left top maxrows 6 font ',13' spacing 1.4 samplen 3"};
+  for (const Axes& a : axes) plot.panels.push_back(panel_of(all, paths.data(), file, a, ranges));
+  return {.name = name,
+          .caption = caption,
+          .script = script_of(plot),
+          .data = {{file, csv_of(paths)}},
+          .width = 960,
+          .height = 760};
 }
 
-std::vector<Instant> closed_form(const Fractional& law, const Impact& impact, double longest) {
+std::vector<Instant> closed_form(const Fractional& law, const Impact& impact, double until) {
   const FractionalTrajectory motion(law.coefficient(), law.alpha(), impact.mass_eff, impact.velocity);
   std::vector<Instant> points;
   constexpr int samples = 600;
   for (int i = law.alpha() > 1 ? 1 : 0; i <= samples; ++i) {
-    const double t = longest * i / samples;
+    const double t = until * i / samples;
     points.push_back({t, motion.overlap(t), motion.rate(t), motion.force(t)});
-    if (i > 1 && points.back().force <= 0) break;
   }
   return points;
 }

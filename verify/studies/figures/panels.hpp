@@ -1,54 +1,66 @@
 #pragma once
 
+#include <console/gnuplot.hpp>
 #include <console/plot.hpp>
-#include <ricochet/collision/fractional_contact.hpp>
-#include <ricochet/collision/solvers/fractional_solvers.hpp>
-#include <ricochet/collision/trace.hpp>
+#include <ricochet/collision/collision.hpp>
+#include <ricochet/collision/instant.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ricochet::verify::figures {
 
-/// One curve of a figure, over time; a block of the figure's CSV.
-struct Curve {
+/// One motion of a figure; a block of the figure's CSV.
+struct Path {
   std::string title;
   std::vector<Instant> points;
-  std::string style;  ///< "with …"
-  int panel = 0;      ///< the group of curves that share a column of panels
+  std::string style;  ///< "lines lt 1"
+  std::size_t column = 0;
 };
 
-/// The axes of a row of panels: CSV columns 2 t [1e-6 s], 3 overlap [1e-6 m], 4 rate [m/s], 5 force [N].
+/// A quantity of an Instant, as CSV and axes have it.
+enum class Quantity { time = 2, overlap, rate, force };  // by the column of the CSV
+
+/// The axes of a row of panels.
 struct Axes {
-  int x, y;
-  const char *x_label, *y_label;
+  Quantity x, y;
 };
 
 inline constexpr Axes over_time[] = {
-    {2, 3, "t [µs]", "overlap [µm]"}, {2, 4, "t [µs]", "velocity [m/s]"}, {2, 5, "t [µs]", "force [N]"}};
-inline constexpr Axes phases[] = {{3, 4, "overlap [µm]", "velocity [m/s]"},
-                                  {3, 5, "overlap [µm]", "force [N]"},
-                                  {4, 5, "velocity [m/s]", "force [N]"}};
+    {Quantity::time, Quantity::overlap}, {Quantity::time, Quantity::rate}, {Quantity::time, Quantity::force}};
+inline constexpr Axes phases[] = {
+    {Quantity::overlap, Quantity::rate}, {Quantity::overlap, Quantity::force}, {Quantity::rate, Quantity::force}};
 
-/// A group of curves, drawn in one column of panels; the key stands in the panel of row `key_row` at `key`.
+using Range = std::optional<std::pair<double, double>>;
+
+/// The ranges of a column's axes, in their units; none: of the data.
+struct Ranges {
+  Range time = {}, overlap = {}, rate = {}, force = {};
+};
+
+/// A group of paths, drawn in one column of panels; the key stands in the panel of row `key_row` at `key`.
 struct Column {
   std::string title, key;
   std::size_t key_row;
+  Ranges ranges = {};
 };
 
-/// Style of the i-th curve of a group, in colours that differ.
-std::string line(std::size_t i);
+/// Style of the i-th path of a group, in colours that differ; `dash` as gnuplot counts them.
+std::string line(std::size_t i, int dash = 1);
 
-/// Rows of panels over columns of curve groups.
-console::Figure panels(const std::string& name, const std::string& caption, const std::vector<Curve>& curves,
+/// Rows of panels over columns of groups.
+console::Figure panels(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
                        std::span<const Axes> rows, const std::vector<Column>& columns);
 
-std::vector<Instant> points_of(const std::vector<Instant>& path);
+/// All paths together in three panels, their key in a fourth.
+console::Figure overlaid(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
+                         std::span<const Axes, 3> axes, const Ranges& ranges);
 
-/// The closed form until the force has fallen to zero, or to `longest` [s] where it never does. At t_b the force of
-/// α > 1 is infinite: the first point is left out.
-std::vector<Instant> closed_form(const Fractional& law, const Impact& impact, double longest);
+/// The closed form from t_b to `until` [s]. At t_b the force of α > 1 is infinite: the first point is left out.
+std::vector<Instant> closed_form(const Fractional& law, const Impact& impact, double until);
 
 }  // namespace ricochet::verify::figures

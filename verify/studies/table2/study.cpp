@@ -100,6 +100,11 @@ Table coefficients(const std::vector<Row>& rows) {
     for (std::size_t i = 0; i < row.paper.size(); ++i)
       table.row({row.name, std::string(text(row.end)), row.paper[i].name, row.paper[i].value, row.ours[i].value,
                  100 * (row.paper[i].value / row.ours[i].value - 1), row.ours[i].unit});
+  table.note(fmt::format(
+      "fractional: t_col and e_n fix alpha and c^alpha k^(1-alpha) alone. The row holds the printed k, as calibrate "
+      "does "
+      "with --stiffness {}; without it calibrate holds the exact k of linear2, and another c goes with that.",
+      support::significant(paper::table2.fractional.k, 4)));
   return table;
 }
 

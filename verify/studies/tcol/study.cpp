@@ -2,6 +2,7 @@
 
 #include <verify/registry.hpp>
 
+#include <console/gnuplot.hpp>
 #include <console/number.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 
@@ -94,15 +95,20 @@ Curve follow() {
 }
 
 console::Figure drawing(const Table& table) {
-  return {"tcol",
-          "The estimate (57) of the collision time over the exact one: just below 1 at alpha = 0, and falling.",
-          "set xlabel 'conversion degree α'\nset ylabel 'estimate (57) / exact collision time'\n"
-          "set yrange [0:1.05]\nset xrange [0:1]\nunset key\n"
-          "set label 1 'exact' at 0.985,1.02 right tc rgb '#767676'\nset label 2 'estimate (57)' at 0.66,0.86 tc rgb "
-          "'#0072b2'\n"
-          "plot 1 with lines lw 1.5 dt 2 lc rgb '#767676', \\\n"
-          "  'tcol.csv' skip 1 using 1:(1+$5/100) with linespoints pt 7 ps 0.5 lw 2.5 lc rgb '#0072b2'",
-          {{"tcol.csv", table.csv()}}};
+  using console::palette::blue, console::palette::gray;
+  const console::Panel panel{.x = {.label = "conversion degree α", .range = std::pair(0.0, 1.0)},
+                             .y = {.label = "estimate (57) / exact collision time", .range = std::pair(0.0, 1.05)},
+                             .curves = {{.what = "1", .style = fmt::format("lines lw 1.5 dt 2 lc rgb '{}'", gray)},
+                                        {.file = "tcol.csv",
+                                         .what = "1:(1+$5/100)",
+                                         .style = fmt::format("linespoints pt 7 ps 0.5 lw 2.5 lc rgb '{}'", blue)}},
+                             .labels = {{"exact", 0.985, 1.03, fmt::format("right tc rgb '{}'", gray)},
+                                        {"estimate (57)", 0.66, 0.86, fmt::format("tc rgb '{}'", blue)}}};
+  return {
+      .name = "tcol",
+      .caption = "The estimate (57) of the collision time over the exact one: just below 1 at alpha = 0, and falling.",
+      .script = console::script_of({.panels = {panel}}),
+      .data = {{"tcol.csv", table.csv()}}};
 }
 
 std::vector<Remark> remarks() {

@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstddef>
 #include <functional>
+#include <limits>
 
 namespace ricochet {
 
@@ -19,7 +20,7 @@ struct Impact {
 
 enum class CollideMethod {
   automatic,    ///< the closed form where there is one, else numerical
-  closed_form,  ///< throws where there is none (Kuwabara-Kono, Tsuji, fractional with α < 0, a law of your own)
+  closed_form,  ///< throws where there is none (Kuwabara-Kono, Tsuji, a law of your own)
   numerical     ///< integrates the law's own equation of motion; knows no closed form
 };
 
@@ -30,27 +31,35 @@ struct CollideOptions {
   /// its mesh, of at most some 2e5. Not of the fractional law, whose collocation takes no more than five linear systems
   /// of 32 to 120 nodes.
   std::size_t max_evaluations = 1'000'000;
+  /// What a contact can take up [J], ≥ 0: where a collision ends by (26) and has taken up as much, the bodies break
+  /// (Definition 7); infinite: they never do.
+  double breakage_energy = std::numeric_limits<double>::infinity();
 };
 
 enum class CollisionStatus {
-  ended_by_force,    ///< the repulsive force fell to zero (25); where c = 0 the overlap does so at the same time
-  ended_by_overlap,  ///< the overlap returned to zero (24)
-  no_separation,     ///< the asked end does not exist (26): overdamped overlap, α ≥ 1, …
-  budget_spent,      ///< max_evaluations reached before the end
-  out_of_range       ///< a scale of the collision (time, length, force, e_n) is no normal double, or, on the numerical
-                     ///< path, lost in rounding: a damping group past 1e100, an overlap's end with e_n < 1e-150
-                     ///< (fractional: 1e-7), a fractional force's end with e_n < 1e-12
+  ended_by_force,     ///< the repulsive force fell to zero (25); where c = 0 the overlap does so at the same time
+  ended_by_overlap,   ///< the overlap returned to zero (24); also where an end by force was asked for and the force of
+                      ///< (30) falls to zero no sooner than that, still repelling: fractional with α < 0
+  permanent_contact,  ///< the force only tends to zero (26), and the approach has fallen to `at_rest` of v₀ (Def. 7)
+  breakage,           ///< the same, and the contact has taken up `breakage_energy`
+  no_separation,  ///< the asked end does not exist: an overdamped overlap, one that swings about a positive rest, …
+  budget_spent,   ///< max_evaluations reached before the end
+  out_of_range    ///< a scale of the collision (time, length, force, e_n) is no normal double, or, on the numerical
+                  ///< path, lost in rounding: a damping group past 1e100, an overlap's end with e_n < 1e-150
+                  ///< (fractional: 1e-7), a fractional force's end with e_n < 1e-12
 };
 
-/// What a collision did. Times count from the first touch t_b. After any other status than the two ends tcol, en and
-/// overlap_end are 0; the extremes are those met while the motion was followed (for the fractional law, none: 0).
+/// What a collision did. Times count from the first touch t_b. After permanent_contact and breakage tcol is where the
+/// bodies count as come to rest, overlap_end what they overlap by then, and en = 0, as they do not part. After any
+/// other status than these and the two ends tcol, en and overlap_end are 0; the extremes are those met while the motion
+/// was followed (for the fractional law, none: 0).
 struct Collision {
   CollisionStatus status = CollisionStatus::no_separation;
   double tcol = 0;              ///< t_e − t_b [s]
-  double en = 0;                ///< −ζ'(t_e)/v₀
+  double en = 0;                ///< −ζ'(t_e)/v₀; > 1 where the law gains energy (fractional with α < 0)
   double max_overlap = 0;       ///< [m]
   double time_max_overlap = 0;  ///< [s]
-  double max_force = 0;         ///< greatest repulsion [N]
+  double max_force = 0;         ///< greatest repulsion [N]; 0 where that is infinite, at t_b (fractional with α > 1)
   double time_max_force = 0;    ///< [s]
   double overlap_end = 0;       ///< ζ(t_e) [m]
   std::size_t evaluations = 0;  ///< of the force, by the numerical path; 0 for a closed form
@@ -64,8 +73,14 @@ struct Collision {
 ///
 /// Closed forms. Linear, with D = c/(2√(mk)) = cos ψ (cosh ψ when overdamped) and time in √(m/k): the force vanishes at
 /// 2ψ/sin ψ with e_n = exp(−2ψ cot ψ), the overlap at π/sin ψ with e_n = exp(−π cot ψ), and only for D < 1; both keep
-/// full accuracy across D = 1. Hysteretic: two quarters of a sine. Fractional: Eqs. (47)–(56) for 0 ≤ α
-/// (contact/fractional_contact.hpp); −1 ≤ α < 0, which gains energy, is left to the numerical path.
+/// full accuracy across D = 1. Hysteretic: two quarters of a sine. Fractional: Eqs. (47)–(56), −1 ≤ α < 2
+/// (collision/fractional_contact.hpp). For α < 0 the force still repels as the overlap returns to 0, where (30) ends
+/// it: the collision ends there (24) whichever end was asked for.
+///
+/// α ≥ 1 of the fractional law is (26): the overlap stays, the force only tends to 0, and whichever end was asked for,
+/// on both paths by the closed form, the collision ends at rest: where ζ' = v₀ E_{2−α,1}(−A t^{2−α}) has fallen to
+/// `at_rest` of v₀. All but 1e-4 of the impact's energy, ½ m v₀², is taken up then; it is `breakage` where that is
+/// `breakage_energy` or more. The paper leaves both the time and the choice (the hardness of the surfaces) open.
 ///
 /// An overdamped overlap (damping ratio ≥ 1 of the linear law, and of Tsuji's in ζ^{5/4}) never returns to zero, which
 /// the ratio decides on every path.
@@ -84,7 +99,8 @@ struct Collision {
 ///   Tsuji by overlap              1e-15 L³    the same
 ///   fractional, by overlap        1e-15/e_n²  both paths
 ///   fractional, by force          1e-16/(1 − α), both paths; the numerical one 1e-14/e_n more
-/// Throws std::invalid_argument for velocity or mass_eff not finite and > 0, and for closed_form without one.
+/// Throws std::invalid_argument for velocity or mass_eff not finite and > 0, a breakage_energy that is negative or no
+/// number, closed_form without one, and a fractional law with α < −1.
 Collision collide(const Linear& law, const Impact& impact, const CollideOptions& options = {});
 Collision collide(const KuwabaraKono& law, const Impact& impact, const CollideOptions& options = {});
 Collision collide(const Tsuji& law, const Impact& impact, const CollideOptions& options = {});
@@ -118,6 +134,8 @@ void walk(DrivenLaw& law, const Impact& impact, const std::function<void(const I
 /// time_max_force 1e-5 tcol. Smaller e_n, a law that bends in between, or a memory that is more than 1e3 times faster
 /// than the collision may leave the budget spent. After no_separation the extremes up to the turning point are as
 /// accurate, a greater force past it or an overlap without a turning point is good to 1e-3.
+/// A motion that slows down like that without ever turning, its force not zero, is a permanent_contact (or a breakage);
+/// tcol and overlap_end are then good to 1e-3.
 /// Throws std::invalid_argument as above, and for closed_form.
 template <ContactLaw Law>
 Collision collide(const Law& law, const Impact& impact, const CollideOptions& options = {}) {

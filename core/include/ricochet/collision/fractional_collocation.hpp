@@ -15,7 +15,8 @@ struct FractionalSolution : Collision {
 
 /// Solves the collision by `collocate_motion` with the given number of nodes and locates its events as roots of the
 /// polynomials. Does not use the Mittag-Leffler function. From 24 nodes on t_col and e_n are accurate to 1e-10 relative
-/// for 0 ≤ α ≤ 0.97. α ≥ 1 never separates; by overlap only α < 0.40088… does.
+/// for −1 ≤ α ≤ 0.97. α ≥ 1 never separates; by overlap only α < 0.40088… does; α < 0 ends by overlap, whichever end is
+/// asked for.
 /// Domain: −1 ≤ α < 2, 4 ≤ nodes ≤ 120; throws std::invalid_argument otherwise.
 FractionalSolution collocate_collision(double alpha, int nodes = 32, ContactEnd end = ContactEnd::force);
 

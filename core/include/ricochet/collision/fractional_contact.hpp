@@ -22,10 +22,11 @@ struct FractionalContact {
 };
 
 /// The collision at conversion degree α, ended by the first zero of the force (25) for 0 ≤ α < 1, or of the overlap
-/// (24) for 0 ≤ α < overlap_limit. Throws std::invalid_argument for another α, and for α = 1 − 1.1e-16, whose 2 − α is
-/// 1.
+/// (24) for 0 ≤ α < overlap_limit. For −1 ≤ α < 0 by that of the overlap, whichever is asked for: the force (30) still
+/// repels there. Throws std::invalid_argument for another α, and for α = 1 − 1.1e-16, whose 2 − α is 1.
 /// Error: 1e-12 relative by force, and 1e-16/(1 − α) more, by which the rounding of 2 − α moves e_n; by overlap
-/// 1e-12 + 1e-15/e_n², as its zero nears a double one at overlap_limit. e_n ≤ 1, and 1 at α = 0.
+/// 1e-12 + 1e-15/e_n², as its zero nears a double one at overlap_limit. e_n is 1 at α = 0, below 1 above, above 1
+/// below.
 FractionalContact fractional_contact(double alpha, ContactEnd end = ContactEnd::force);
 
 /// The overlap returns to zero only below this α: there its first minimum touches zero, E_{a,1}(−y) = E_{a,2}(−y) = 0.

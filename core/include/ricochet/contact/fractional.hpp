@@ -20,7 +20,7 @@ class Fractional {
        {"alpha", {}, {"finite and < 2", [](double x) { return std::isfinite(x) && x < 2; }}}}};
   static constexpr Ends ends{.overlap = true, .both_by_default = false};
 
-  /// k > 0 [kg/s²], c > 0 [kg/s], α < 2; 0 ≤ α ≤ 1 is physical (α < 0 gains energy, α > 1 never rebounds).
+  /// k > 0 [kg/s²], c > 0 [kg/s], α < 2; 0 ≤ α ≤ 1 is physical (α < 0 gains energy, α ≥ 1 never rebounds).
   /// Throws std::invalid_argument otherwise.
   Fractional(double k, double c, double alpha);
 
@@ -34,6 +34,8 @@ class Fractional {
   }
   /// c^α k^{1−α} [kg s^{α−2}], all of k and c that a collision can see.
   double coefficient() const noexcept { return coefficient_; }
+  /// α ≥ 1, as far as the rounding of 2−α, the order of the motion's equation, tells it from 1.
+  bool force_fades() const noexcept { return 2 - alpha_ <= 1; }
 
  private:
   double k_, c_, alpha_, coefficient_;
@@ -59,6 +61,7 @@ class FractionalArms {
   FractionalArms(const Fractional& law, const MemoryKernel& kernel, double step);
 
   const Fractional& law() const noexcept { return law_; }
+  bool force_fades() const noexcept { return law_.force_fades(); }
   double step() const noexcept { return step_; }  ///< [s]
   std::size_t arms() const noexcept { return arms_; }
   double spring() const noexcept { return spring_; }                             ///< [N/m]

@@ -12,7 +12,7 @@ struct ContactGeometry {
   Vec3 normal;         ///< e, from i to j, Eq. (1)
   double overlap = 0;  ///< ζ [m], Eqs. (5), (16); negative when apart
   double radius = 0;   ///< of the contact disc [m]: half the chord w of Eqs. (6), (17); 0 when apart
-  double arm_i = 0;    ///< |x_i c| along the normal [m], Eqs. (7), (18)
+  double arm_i = 0;    ///< |x_i c| along the normal [m], Eqs. (7), (18), which do not go over into each other
   double arm_j = 0;    ///< |c x_j| along the normal [m]; 0 for a wall, which cannot turn
 };
 
@@ -33,7 +33,9 @@ inline ContactGeometry sphere_sphere(Vec3 xi, double ri, Vec3 xj, double rj) noe
 }
 
 /// A sphere and a plane wall through `point`; `inward` is the wall's unit normal on the side of the spheres, so that
-/// e = −inward also for a sphere pushed through the plane.
+/// e = −inward also for a sphere pushed through the plane. The arm is that of (18), (20), r − ζ/2, half-way between the
+/// plane and the sphere's deepest point. It is not the limit of (7) for r_j → ∞, which is r − ζ, the plane itself: a
+/// wall is not quite the sphere without bound that it is elsewhere, by ζ/2 of the arm.
 inline ContactGeometry sphere_wall(Vec3 xi, double ri, Vec3 point, Vec3 inward) noexcept {
   ContactGeometry g;
   g.normal = -inward;

@@ -49,6 +49,20 @@ double repulsion(const Law& law, Approach a, const typename Law::Memory& memory)
 /// the repulsive force (25).
 enum class ContactEnd { overlap, force };
 
+/// Where a collision's force only tends to 0 (26) no zero ends it. It ends, by this convention, where the approach has
+/// fallen to this share of the impact velocity: 1e-4 of its energy is left.
+inline constexpr double at_rest = 0.01;
+
+/// Whether the force of a binary collision under this law never falls to 0 but only tends to it (26), its bodies never
+/// parting: what the law's own `force_fades()` says, no where it has none.
+template <class Law>
+bool force_fades(const Law& law) noexcept {
+  if constexpr (requires { law.force_fades(); })
+    return law.force_fades();
+  else
+    return false;
+}
+
 /// What happens when a pair whose force has fallen to zero (25) is pushed together again before it has separated; only
 /// where the contact ends by force.
 enum class Reclosing {

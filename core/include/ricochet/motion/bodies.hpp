@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <map>
 #include <span>
 #include <utility>
@@ -40,6 +41,9 @@ struct Interaction {
   NormalLaw law;  ///< any ContactLaw, one of your own too
   Friction friction{};
   ContactEnd end = ContactEnd::force;
+  /// What a contact can take up [J], ≥ 0: one that ends by (26) and has taken up as much is noted as broken; the bodies
+  /// themselves stay whole.
+  double breakage_energy = std::numeric_limits<double>::infinity();
 };
 
 /// Interactions by pair of materials, (a, b) with a ≤ b.

@@ -126,6 +126,7 @@ class Cluster {
   struct Model {
     Friction friction;
     ContactEnd end;
+    double breakage_energy;
     std::unique_ptr<motion::NormalContacts> normal;
     std::vector<std::uint32_t> members;  // which of all contacts, ascending
     bool rubs() const noexcept { return friction.mu_static() > 0; }
@@ -175,6 +176,7 @@ class Cluster {
   void conclude_friction(ContactState& contact, const Row& row, const SlipMotion& after);
   void note_phases(ContactState& contact, const Row& row, double rate_mid, const SlipMotion& after) const;
   static EncounterEnd how_it_ended(const ContactState& contact, double rate_mid, const Row& row) noexcept;
+  void note_breakage(ContactState& contact, double mobility) const noexcept;
   void check_contacts(const ClusterState& state) const;
 
   ClusterOptions options_;

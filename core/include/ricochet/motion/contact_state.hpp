@@ -12,12 +12,15 @@ namespace ricochet {
 
 /// How a collision ended, Definitions 2–7 of the paper.
 enum class EncounterEnd {
-  open,              ///< it has not
-  elastic_rebound,   ///< the overlap returned to zero while the bodies still repelled (24)
-  deformed_rebound,  ///< the repulsion fell to zero first, the bodies separating (25)
-  dynamic_contact,   ///< (25) without separating, while rolling or sliding
-  static_contact     ///< (25) without any motion
+  open,               ///< it has not
+  elastic_rebound,    ///< the overlap returned to zero while the bodies still repelled (24)
+  deformed_rebound,   ///< the repulsion fell to zero first, the bodies separating (25)
+  dynamic_contact,    ///< (25) without separating, while rolling or sliding
+  static_contact,     ///< (25) without any motion
+  permanent_contact,  ///< the repulsion only tends to zero (26): the approach has fallen to `at_rest` of that at t_b
+  breakage            ///< the same, and the contact has taken up Interaction::breakage_energy (Definition 7)
 };
+inline constexpr std::size_t encounter_end_count = 7;
 std::string_view name(EncounterEnd end) noexcept;
 
 /// What a contact goes through, Definition 4. Several at once are the rule: compression with sliding, say.
@@ -31,7 +34,8 @@ struct Encounter {
 
   std::uint32_t i = 0, j = 0;  ///< bodies; walls count from the number of spheres
   double begin = 0;            ///< t_b [s]
-  double end = never;  ///< t_e [s]: first zero of the force (25), else of the overlap (24); t_col = end − begin
+  double end = never;  ///< t_e [s]: first zero of the force (25), else of the overlap (24), or at rest (26); t_col =
+                       ///< end − begin
   double separation = never;  ///< where the overlap returned to zero [s]; the pair forgets its memory there
   EncounterEnd how = EncounterEnd::open;
   std::array<double, phase_count> phase_begin{never, never, never, never, never, never};  ///< when first entered [s]
@@ -40,7 +44,7 @@ struct Encounter {
 };
 
 /// A contact between two steps: what its future depends on besides its law's memory, which the laws keep side by side.
-/// 216 bytes, whatever the law.
+/// 224 bytes, whatever the law.
 struct ContactState {
   Encounter record;
   std::uint32_t model = 0;    ///< which interaction, as the cluster counts them
@@ -52,6 +56,7 @@ struct ContactState {
   double normal_impulse = 0;  ///< of the last step [N s]
   FrictionImpulse friction;   ///< of the last step, from where the next one is sought
   double stored = 0;          ///< elastic energy and memory at the end of the last step [J]
+  double impact_rate = 0;     ///< ζ' at t_b [m/s]
   double speed_scale = 0;     ///< of the meeting [m/s]: a 10⁻⁹ of it counts as no motion
 };
 

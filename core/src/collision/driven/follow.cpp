@@ -151,6 +151,7 @@ void Doubling::write(Collision& out) const {
 Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& options) {
   support::require_positive("velocity", impact.velocity);
   support::require_positive("mass_eff", impact.mass_eff);
+  support::require(options.breakage_energy >= 0, "breakage_energy", options.breakage_energy, ">= 0");
   if (options.method == CollideMethod::closed_form)
     throw std::invalid_argument("method = closed_form: the " + std::string(law.name()) + " law has none");
   const std::optional<double> unit = time_scale(law, impact);
@@ -162,7 +163,11 @@ Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& opt
                 .time_max_overlap = scouted.deepest.time,
                 .max_force = scouted.strongest.force,
                 .time_max_force = scouted.strongest.time};
-  if (scouted.turn > 0) {
+  if (scouted.status == CollisionStatus::permanent_contact) {
+    out.tcol = scouted.rest.time;
+    out.overlap_end = scouted.rest.overlap;
+    if (energy_at_rest(impact) >= options.breakage_energy) out.status = CollisionStatus::breakage;
+  } else if (scouted.turn > 0) {
     Doubling doubling(contact, options, scouted);
     if (!doubling.run() && out.separated()) out.status = CollisionStatus::budget_spent;
     doubling.write(out);

@@ -30,6 +30,11 @@ bool look(Scouted& found, const Instant& from, const Instant& to, ContactEnd end
   if (to.force > found.strongest.force) found.strongest = to;
   if (to.overlap > found.deepest.overlap) found.deepest = to;
   if (found.turn == 0) {
+    if (found.rest.time == 0 && to.rate <= at_rest) {
+      const double time = fallen(from, to, from.rate - at_rest, to.rate - at_rest);
+      const double share = (time - from.time) / (to.time - from.time);
+      found.rest = {time, from.overlap + share * (to.overlap - from.overlap), at_rest, to.force};
+    }
     if (to.rate > 0) return false;
     found.turn = fallen(from, to, from.rate, to.rate);
   }
@@ -72,7 +77,8 @@ Scouted scout(ScaledContact& contact, ContactEnd end, std::size_t budget, const 
     visit(next);
     if (look(found, now, half, end) || look(found, half, next, end)) return found;
     if (std::max(std::abs(now.rate), std::abs(next.rate)) < creeping || next.time > 1e100) {
-      found.status = CollisionStatus::no_separation;
+      const bool fades = found.turn == 0 && found.rest.force > 0;
+      found.status = fades ? CollisionStatus::permanent_contact : CollisionStatus::no_separation;
       return found;
     }
     now = next;

@@ -13,6 +13,7 @@ struct Scouted {
   double end = 0;
   bool by_overlap = false;  ///< the overlap may have returned to 0 no later than the force
   Instant deepest = {}, strongest = {};
+  Instant rest = {};  ///< where the rate fell to `at_rest` of v₀ before any turn; counts for a permanent contact
 };
 
 /// Shows `visit` every instant, with the memory as it then is.

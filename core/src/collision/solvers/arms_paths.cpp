@@ -64,7 +64,7 @@ Path arms_path(const Mesh& mesh, const Exponentials& kernel, bool exact_impulse)
     }
     path.multiplications += 6 * q.size();
     path.add(mesh.time(n), overlap, rate, force);
-    if (!mesh.exact && path.ended()) break;
+    if (!mesh.exact && path.ended(mesh)) break;
   }
   return path;
 }

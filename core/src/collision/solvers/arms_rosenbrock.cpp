@@ -67,7 +67,7 @@ Path arms_rosenbrock_path(const Mesh& mesh, const Exponentials& kernel) {
     x = next;
     path.multiplications += size * size * size / 3 + 6 * size * size;  // one LU, six back substitutions
     path.add(mesh.time(n), x[0], x[1], equations.force(x));
-    if (!mesh.exact && path.ended()) break;
+    if (!mesh.exact && path.ended(mesh)) break;
   }
   return path;
 }

@@ -20,6 +20,7 @@ struct Mesh {
   double end;  ///< give up here, or stop exactly here if `exact`
   bool exact;
 
+  bool by_overlap() const { return alpha < 0; }  ///< the overlap's zero ends the collision, not the force's
   double time(std::size_t n) const { return n == 0 ? 0 : first + static_cast<double>(n - 1) * step; }
   /// The step to time(n) leaves the mesh.
   bool past(std::size_t n) const { return time(n) > end * (1 + 1e-12); }
@@ -32,12 +33,13 @@ struct Path {
   void add(double t, double z, double v, double f) {
     time.push_back(t), overlap.push_back(z), rate.push_back(v), force.push_back(f);
   }
-  /// The force has passed its zero. It starts from zero too, so the first point says nothing.
-  bool ended() const { return time.size() > 2 && force.back() <= 0; }
+  /// What ends the collision has passed its zero. It starts from zero too, so the first point says nothing.
+  bool ended(const Mesh& mesh) const { return time.size() > 2 && (mesh.by_overlap() ? overlap : force).back() <= 0; }
 };
 
-// Each follows the motion until the force has passed zero or the mesh ends.
+// Each follows the motion until what ends it has passed zero or the mesh ends.
 Path rectangle_path(const Mesh& mesh);
+Path rectangle_integral_path(const Mesh& mesh);
 Path trapezoid_path(const Mesh& mesh);
 Path arms_trapezoid_path(const Mesh& mesh, const Exponentials& kernel);
 Path arms_exponential_path(const Mesh& mesh, const Exponentials& kernel);

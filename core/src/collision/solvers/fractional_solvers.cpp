@@ -49,16 +49,20 @@ struct End {
   double time, overlap, rate;
 };
 
-End located_end(const Path& path) {
+End located_end(const Path& path, bool by_overlap) {
   const std::size_t b = path.time.size() - 1, a = b - 1;
-  const double t = zero_of_force(path);
-  return {t, hermite(path.time[a], path.time[b], path.overlap[a], path.overlap[b], path.rate[a], path.rate[b], t),
+  const auto overlap = [&](double t) {
+    return hermite(path.time[a], path.time[b], path.overlap[a], path.overlap[b], path.rate[a], path.rate[b], t);
+  };
+  const double t = by_overlap ? support::root(overlap, path.time[a], path.time[b]) : zero_of_force(path);
+  return {t, by_overlap ? 0 : overlap(t),
           hermite(path.time[a], path.time[b], path.rate[a], path.rate[b], -path.force[a], -path.force[b], t)};
 }
 
 Path follow(FractionalScheme scheme, const Mesh& mesh, const collision::Exponentials& kernel) {
   switch (scheme) {
     case FractionalScheme::rectangle: return collision::rectangle_path(mesh);
+    case FractionalScheme::rectangle_integral: return collision::rectangle_integral_path(mesh);
     case FractionalScheme::trapezoid: return collision::trapezoid_path(mesh);
     case FractionalScheme::arms_trapezoid: return collision::arms_trapezoid_path(mesh, kernel);
     case FractionalScheme::arms_exponential: return collision::arms_exponential_path(mesh, kernel);
@@ -72,6 +76,8 @@ void check(FractionalScheme scheme, const Fractional& law, const Impact& impact,
   const double alpha = law.alpha();
   if (scheme == FractionalScheme::trapezoid)
     support::require(alpha >= -1 && alpha <= 0.97, "alpha", alpha, "between -1 and 0.97");
+  else if (scheme == FractionalScheme::rectangle_integral)
+    support::require(alpha >= -1 && alpha < 0, "alpha", alpha, ">= -1 and < 0");
   else
     support::require(alpha > 0 && alpha <= 0.97, "alpha", alpha, "> 0 and at most 0.97");
   support::require_positive("velocity", impact.velocity);
@@ -124,6 +130,7 @@ FractionalSolverResult by_collocation(const Fractional& law, const Impact& impac
 std::string_view name(FractionalScheme scheme) noexcept {
   switch (scheme) {
     case FractionalScheme::rectangle: return "(59) predictor-corrector";
+    case FractionalScheme::rectangle_integral: return "(60) explicit";
     case FractionalScheme::trapezoid: return "product trapezoid P(EC)2E";
     case FractionalScheme::arms_trapezoid: return "arms, trapezoid";
     case FractionalScheme::arms_exponential: return "arms, exponential";
@@ -167,9 +174,9 @@ FractionalSolverResult solve_collision(FractionalScheme scheme, const Fractional
     result.tcol = result.path.back().time;
     result.en = -path.rate.back();
     result.overlap_end = result.path.back().overlap;
-  } else if (path.ended()) {
-    const End end = located_end(path);
-    result.status = CollisionStatus::ended_by_force;
+  } else if (path.ended(mesh)) {
+    const End end = located_end(path, mesh.by_overlap());
+    result.status = mesh.by_overlap() ? CollisionStatus::ended_by_overlap : CollisionStatus::ended_by_force;
     result.tcol = end.time * unit;
     result.en = -end.rate;
     result.overlap_end = end.overlap * unit * v0;

@@ -62,7 +62,25 @@ Path rectangle_path(const Mesh& mesh) {
     const double force = derivative(rates, path);
     rates.back() = v - 0.5 * h * (path.force.back() + force);
     path.add(mesh.time(n), path.overlap.back() + 0.5 * h * (v + rates.back()), rates.back(), force);
-    if (!mesh.exact && path.ended()) break;
+    if (!mesh.exact && path.ended(mesh)) break;
+  }
+  return path;
+}
+
+Path rectangle_integral_path(const Mesh& mesh) {
+  Path path;
+  const std::size_t most = most_steps(mesh);
+  const double beta = -mesh.alpha;
+  const PartialRule integral(rectangle_integral(beta, mesh.step, most), beta, mesh, false);
+  path.kernel_evaluations += most;
+  std::vector<double> overlaps{0};
+  for (std::size_t n = 1; !mesh.past(n); ++n) {
+    const double h = n == 1 ? mesh.first : mesh.step, v = path.rate.back();
+    overlaps.push_back(0);  // not known yet, and (60) gives it weight 0
+    const double force = integral(overlaps, path), rate = v - 0.5 * h * (path.force.back() + force);
+    overlaps.back() = path.overlap.back() + 0.5 * h * (v + rate);
+    path.add(mesh.time(n), overlaps.back(), rate, force);
+    if (!mesh.exact && path.ended(mesh)) break;
   }
   return path;
 }
@@ -82,7 +100,7 @@ Path trapezoid_path(const Mesh& mesh) {
     rates.back() = 1 - predict(rates, path);
     for (int pass = 0; pass < 2; ++pass) rates.back() = 1 - correct(rates, path);
     path.add(mesh.time(n), path.overlap.back() + 0.5 * h * (v + rates.back()), rates.back(), derivative(rates, path));
-    if (!mesh.exact && path.ended()) break;
+    if (!mesh.exact && path.ended(mesh)) break;
   }
   return path;
 }

@@ -17,6 +17,9 @@ enum class FractionalScheme {
   /// The paper's way: (59) in a predictor-corrector, v_{n+1} = v_n + h/2 (a_n + a_{n+1}). (59) gives the present rate
   /// no weight, so the predictor has nothing to say and one correction is all. Order 1.
   rectangle,
+  /// The same with (60) for α < 0: R = c^α k^{1−α} I^{−α} ζ from the overlaps. (60) gives the present overlap no
+  /// weight, so the step is explicit. Order 1.
+  rectangle_integral,
   /// Product trapezoid, P(EC)²E (Diethelm, Ford, Freed, Nonlinear Dyn. 29, 3 (2002)) on the Volterra form
   /// v = v₀ − A I^β v: the rectangle (60) predicts, the trapezoid corrects twice, because once would leave the
   /// predictor's error at order 3−α, next to the 2 that is to be seen. Order 2.
@@ -49,8 +52,8 @@ struct FractionalSolverOptions {
 /// be prepared once where many collisions share it.
 MemoryKernel solver_kernel(const Fractional& law, const Impact& impact, double shortest, double tolerance = 1e-10);
 
-/// Status, tcol, en and overlap_end of a collision that ends by force (the extremes stay 0), and what it took. With
-/// end_time: tcol is the last mesh point, status budget_spent.
+/// Status, tcol, en and overlap_end of a collision that ends by force, for α < 0 by overlap (the extremes stay 0), and
+/// what it took. With end_time: tcol is the last mesh point, status budget_spent.
 struct FractionalSolverResult : Collision {
   std::size_t steps = 0;
   std::size_t kernel_evaluations = 0;  ///< powers and exponentials taken
@@ -59,10 +62,11 @@ struct FractionalSolverResult : Collision {
 };
 
 /// One collision by one scheme. The memory starts at t_b, inside the first step; the end is located inside the last
-/// step by cubic interpolation of the force through the last four mesh points and Hermite's of rate and overlap.
+/// step by cubic interpolation of the force through the last four mesh points and Hermite's of rate and overlap; where
+/// the overlap ends it, by the latter alone.
 /// Following more than 4 (α < 0.8) or 7 natural times A^{−1/(2−α)} without an end is no_separation.
-/// Domain: 0 < α ≤ 0.97 (trapezoid: −1 ≤ α ≤ 0.97), step shorter than the longest contact; throws std::invalid_argument
-/// otherwise.
+/// Domain: 0 < α ≤ 0.97 (trapezoid: −1 ≤ α ≤ 0.97, rectangle_integral: −1 ≤ α < 0), step shorter than the longest
+/// contact; throws std::invalid_argument otherwise.
 FractionalSolverResult solve_collision(FractionalScheme scheme, const Fractional& law, const Impact& impact,
                                        const FractionalSolverOptions& options);
 

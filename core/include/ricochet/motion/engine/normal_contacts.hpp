@@ -74,7 +74,11 @@ class NormalContactsOf final : public NormalContacts {
 
   /// `step` is Δt [s].
   NormalContactsOf(const Law& law, double step, ContactEnd end, double kernel_error = 0)
-      : law_(law), step_(step), clamped_(end == ContactEnd::force), kernel_error_(kernel_error) {}
+      : law_(law),
+        step_(step),
+        clamped_(end == ContactEnd::force),
+        fades_(force_fades(law)),
+        kernel_error_(kernel_error) {}
 
   std::string_view law() const noexcept override { return Law::name; }
   std::size_t memory_size() const noexcept override { return motion::memory_size<Memory>; }
@@ -83,6 +87,7 @@ class NormalContactsOf final : public NormalContacts {
   void begin(ContactState& c) override {
     c.slot = memories_.take();
     c.force = law_.force(c.approach, Memory{});
+    c.impact_rate = c.approach.rate;
   }
   void forget(const ContactState& c) override { memories_.give_back(c.slot); }
 
@@ -106,10 +111,14 @@ class NormalContactsOf final : public NormalContacts {
     for (const std::uint32_t k : batch.members) {
       ContactState& c = batch.contacts[k];
       c.normal_impulse = batch.rows[k].impulse;
-      if (!std::exchange(c.fresh, false))
+      if (!std::exchange(c.fresh, false)) {
+        const Approach before = c.approach;
+        const double span = c.lag;
         advance(c, batch.rows[k], middle);
-      else if (c.record.end != Encounter::never)
+        if (fades_) note_rest(c, before.rate, middle, span);
+      } else if (c.record.end != Encounter::never) {
         c.record.how = EncounterEnd::deformed_rebound;
+      }
     }
   }
 
@@ -177,11 +186,21 @@ class NormalContactsOf final : public NormalContacts {
     c.lag = h;
   }
 
+  // (26): still repelling, the pair has all but come to rest. The rate is taken as linear over the step.
+  void note_rest(ContactState& c, double rate_before, double middle, double span) const noexcept {
+    const double limit = at_rest * c.impact_rate, rate = c.approach.rate;
+    if (c.record.end != Encounter::never || !(c.force > 0 && rate <= limit && limit > 0)) return;
+    const double past = rate_before > limit ? (limit - rate) / (rate_before - rate) : 1.0;
+    c.record.end = std::max(c.record.begin, middle - span * past);
+    c.record.how = EncounterEnd::permanent_contact;
+  }
+
   double repulsive(double force) const noexcept { return clamped_ ? std::max(0.0, force) : force; }
 
   Law law_;
   double step_;
   bool clamped_;
+  bool fades_;  // a pair's force only tends to zero
   double kernel_error_;
   MemorySlots<Memory> memories_;
 };
