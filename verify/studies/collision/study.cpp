@@ -80,7 +80,7 @@ console::Curve ring(std::size_t block) {
           .block = block,
           .what = fmt::format("3:($2 == {} ? $4 : NaN)", paper::steps),
           .style = "points pt 6 ps 2 lc rgb 'black'",
-          .title = block == 0 ? "N = 30, the choice of the paper" : ""};
+          .title = block == 0 ? "N = 30, as many as in the paper" : ""};
 }
 
 console::Figure work_figure(const std::vector<SolverConvergence>& all) {

@@ -80,11 +80,13 @@ console::Figure figure2() {
   }
   auto drawn =
       panels("figure2",
-             "Fig. 2: overlap, velocity and force for growing numbers of steps; left (59) as written, right "
-             "the arms with the exponential step.",
-             paths, over_time, {{"(59) as written", "top right", 1}, {"arms, exponential step", "top right", 1}});
+             "Fig. 2: overlap, velocity and force for growing numbers of steps; left (59) with left values, "
+             "right the arms with the exponential step.",
+             paths, over_time, {{"(59), left values", "top right", 1}, {"arms, exponential step", "top right", 1}});
   drawn.finding = fmt::format(
-      "With 40 steps (59) as written misses the last velocity by {} m/s, the arms with the exponential step by {} m/s.",
+      "With 40 steps (59) with left values misses the last velocity by {} m/s, the arms with the exponential step by "
+      "{} "
+      "m/s.",
       missed[0], missed[1]);
   return drawn;
 }

@@ -14,8 +14,9 @@ namespace ricochet {
 /// Ways to solve m ζ'' + c^α k^{1−α} D^α ζ = 0, ζ(0) = 0, ζ'(0) = v₀, by time steps. Orders are those of t_col and e_n
 /// in the step h; docs/theory/orders.md derives them. v is ζ', β = 2−α.
 enum class FractionalScheme {
-  /// The paper's way: (59) in a predictor-corrector, v_{n+1} = v_n + h/2 (a_n + a_{n+1}). (59) gives the present rate
-  /// no weight, so the predictor has nothing to say and one correction is all. Order 1.
+  /// (59) with left values in a predictor-corrector, v_{n+1} = v_n + h/2 (a_n + a_{n+1}). (59) gives the present rate
+  /// no weight, so the predictor has nothing to say and one correction is all. Order 1. The digits of Table I exclude
+  /// that the paper ran this (`verify table1`).
   rectangle,
   /// The same with (60) for α < 0: R = c^α k^{1−α} I^{−α} ζ from the overlaps. (60) gives the present overlap no
   /// weight, so the step is explicit. Order 1.
