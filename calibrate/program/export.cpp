@@ -6,31 +6,57 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ricochet::calibration {
 namespace {
 
 using console::Json;
 
-std::vector<Snippet> snippets_of(const Report& report, Engine engine) {
+/// The contact that was calibrated; with a wall also that of two such grains, which an engine has to know as well:
+/// calibrated to the same target at their own effective mass. nullopt where they cannot reach it.
+std::optional<ContactSet> contacts_of(const Report& report, const Calibration& found) {
   const Job& job = report.job;
+  const Target& target = job.target;
+  PairCase asked{0, 0, found.law, target.tcol, target.en, target.impact, job.radius_eff};
+  ContactSet set{found.end, {{.name = "grain", .density = job.density}}, {}};
+  if (!job.wall) {
+    set.pairs.push_back(asked);
+    return set;
+  }
+  asked.b = 1;
+  set.kinds.push_back({.name = "wall", .wall = true});
+  set.pairs.push_back(asked);
+  PairCase grains = asked;
+  grains.b = 0;
+  grains.impact.mass_eff *= 0.5;
+  grains.radius_eff = 0.5 * *asked.radius_eff;
+  const auto same = std::find_if(job.requests.begin(), job.requests.end(), [&](const Request& r) {
+    return r.law == LawKind::of(found.law) && r.end == found.end;
+  });
+  const Outcome outcome = calibrate({same->law, same->end, {target.tcol, target.en, grains.impact}, same->stiffness},
+                                    {.method = Method::direct});
+  if (!std::holds_alternative<Calibration>(outcome)) return std::nullopt;
+  grains.law = std::get<Calibration>(outcome).law;
+  set.pairs.push_back(grains);
+  set.notes.push_back(
+      "Not asked for, but every engine wants it: two such grains meet by the same law, calibrated to the "
+      "same collision time and restitution at their own effective mass.");
+  return set;
+}
+
+std::vector<Snippet> snippets_of(const Report& report, Engine engine) {
   std::vector<Snippet> snippets;
   for (const Calibration& found : report.results)
-    snippets.push_back(export_law(engine, {.law = found.law,
-                                           .end = found.end,
-                                           .tcol = job.target.tcol,
-                                           .en = job.target.en,
-                                           .impact = job.target.impact,
-                                           .radius_eff = job.radius_eff,
-                                           .density = job.density}));
+    if (const auto set = contacts_of(report, found)) snippets.push_back(export_contacts(engine, *set));
   return snippets;
 }
 
 Json json_of(const Snippet& snippet) {
   Json json{{"law", name(snippet.law)}, {"end", text(snippet.end)}, {"fidelity", text(snippet.fidelity)}};
-  if (snippet.gives.separated())
-    json["gives"] = {{"tcol", snippet.gives.tcol}, {"en", snippet.gives.en}};
-  else
-    json["gives"] = nullptr;
+  json["gives"] = nullptr;
+  if (!snippet.gives.empty() && snippet.gives.front().separated())
+    json["gives"] = {{"tcol", snippet.gives.front().tcol}, {"en", snippet.gives.front().en}};
   json["remarks"] = snippet.remarks;
   json["text"] = snippet.text;
   return json;
@@ -45,15 +71,22 @@ std::string document_of(const std::vector<Snippet>& snippets, Engine engine) {
   return console::document(json);
 }
 
-}  // namespace
+/// Throws console::Unreachable where there are laws and the engine can be given none of them.
+void require_one(const std::vector<Snippet>& snippets, Engine engine) {
+  std::vector<std::string> reasons;
+  for (const Snippet& s : snippets) {
+    if (s.fidelity != Fidelity::absent) return;
+    std::string reason = s.remarks.empty() ? "that contact never separates there" : s.remarks.front();
+    if (const std::string mark = "NOT WRITTEN: "; reason.starts_with(mark)) reason.erase(0, mark.size());
+    if (reason.ends_with('.')) reason.pop_back();
+    reasons.push_back(fmt::format("{}, ended by {}: {}", name(s.law), text(s.end), reason));
+  }
+  if (!reasons.empty())
+    throw console::Unreachable(
+        fmt::format("--export {}: nothing to write: {}", text(engine), fmt::join(reasons, "; ")));
+}
 
-std::string exported(const Report& report, const std::string& name_of_engine, console::Format format) {
-  if (format != console::Format::table && format != console::Format::json)
-    throw console::BadInput("--format", format == console::Format::csv ? "csv" : "markdown",
-                            "table (the engine's own language) or json with --export");
-  const Engine engine = engine_named(name_of_engine).value();
-  const auto snippets = snippets_of(report, engine);
-  if (format == console::Format::json) return document_of(snippets, engine);
+std::string text_of(const Report& report, const std::vector<Snippet>& snippets, Engine engine) {
   std::string all = combine(snippets);
   for (const Infeasible& missed : report.infeasible)
     all += "\n" + comment(engine, fmt::format("Ricochet: the {} law ended by {} can't reach the target.",
@@ -61,6 +94,22 @@ std::string exported(const Report& report, const std::string& name_of_engine, co
   for (const Failure& failure : report.failed)
     all += "\n" + comment(engine, fmt::format("Ricochet: failed: {}.", failure.reason));
   return all;
+}
+
+}  // namespace
+
+std::string exported(const Report& report, Engine engine) {
+  return text_of(report, snippets_of(report, engine), engine);
+}
+
+std::string exported(const Report& report, const std::string& name_of_engine, console::Format format) {
+  if (format != console::Format::table && format != console::Format::json)
+    throw console::BadInput("--format", format == console::Format::csv ? "csv" : "markdown",
+                            "table (the engine's own language) or json with --export");
+  const Engine engine = engine_named(name_of_engine).value();
+  const auto snippets = snippets_of(report, engine);
+  require_one(snippets, engine);
+  return format == console::Format::json ? document_of(snippets, engine) : text_of(report, snippets, engine);
 }
 
 }  // namespace ricochet::calibration

@@ -59,6 +59,7 @@ double mass_of_spheres(const Options& o, Job& job) {
   job.radius = radius;
   job.radius_eff = radius;
   job.density = density;
+  job.wall = o.wall;
   if (o.wall) {
     refuse_with("--radius2", o.radius2, true, "--wall");
     refuse_with("--density2", o.density2, true, "--wall");

@@ -47,6 +47,13 @@ Json json_of(const Calibration& r) {
   return out;
 }
 
+Json json_of(const std::vector<EngineStep>& steps) {
+  Json all = Json::array();
+  for (const EngineStep& s : steps)
+    all.push_back({{"engine", s.engine}, {"error_en", s.error_en}, {"step", s.step ? Json(*s.step) : Json()}});
+  return all;
+}
+
 Json json_of(const Infeasible& missed) {
   Json reachable = Json::object();
   if (!missed.quantity.empty()) reachable[missed.quantity] = {missed.lowest, missed.highest};
@@ -63,11 +70,17 @@ std::string json_of(const Report& report) {
                    {"en", target.en},
                    {"velocity", target.impact.velocity},
                    {"mass_eff", target.impact.mass_eff}};
-  out["units"] = {{"tcol", "s"},        {"velocity", "m/s"}, {"mass_eff", "kg"},    {"max_overlap", "m"},
-                  {"overlap_end", "m"}, {"max_force", "N"},  {"tcol_estimate", "s"}};
+  out["units"] = {{"tcol", "s"},          {"velocity", "m/s"},    {"mass_eff", "kg"},
+                  {"max_overlap", "m"},   {"overlap_end", "m"},   {"max_force", "N"},
+                  {"tcol_estimate", "s"}, {"timestep.step", "s"}, {"hertz_time", "s"}};
   out["assumed"] = report.job.assumptions;
   out["results"] = Json::array();
-  for (const auto& result : report.results) out["results"].push_back(json_of(result));
+  for (std::size_t i = 0; i < report.results.size(); ++i) {
+    Json result = json_of(report.results[i]);
+    result["timestep"] = json_of(report.steps[i]);
+    if (const auto time = hertz_time_of(report.results[i].law, target.impact)) result["hertz_time"] = *time;
+    out["results"].push_back(result);
+  }
   out["infeasible"] = Json::array();
   for (const auto& missed : report.infeasible) out["infeasible"].push_back(json_of(missed));
   for (const auto& failure : report.failed)

@@ -18,7 +18,10 @@ Report run(const Job& job, const Settings& settings) {
   for (const auto& request : job.requests) {
     try {
       const Outcome outcome = calibrate(request, settings);
-      if (const auto* result = std::get_if<Calibration>(&outcome)) report.results.push_back(*result);
+      if (const auto* result = std::get_if<Calibration>(&outcome)) {
+        report.results.push_back(*result);
+        report.steps.push_back(engine_steps(result->law, result->end, request.target));
+      }
       if (const auto* missed = std::get_if<Infeasible>(&outcome)) report.infeasible.push_back(*missed);
     } catch (const NotConverged& failure) {
       report.failed.push_back({request.law, request.end, failure.what()});
