@@ -1,4 +1,5 @@
 #include "fit_report.hpp"
+#include "materials.hpp"
 #include "report.hpp"
 #include "targets.hpp"
 
@@ -21,6 +22,7 @@ std::string lone_failure(const Infeasible& missed) {
 }
 
 console::Exit work(Options& options) {
+  if (!options.materials.empty()) return run_materials(options);
   if (!options.fit.empty()) return run_fit(options);
   if (options.alpha_of_speed || !options.figures.empty())
     throw console::BadInput("--alpha-of-speed and --figures: must be left out without --fit");

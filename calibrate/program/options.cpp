@@ -30,7 +30,8 @@ void group_options(CLI::App& app) {
       {"Target", {"--tcol", "--en", "--law", "--end", "--stiffness"}},
       {"Impact", {"--velocity", "--mass-eff", "--radius", "--density", "--radius2", "--density2", "--wall"}},
       {"Method", {"--method", "--algorithm", "--tolerance"}},
-      {"Many targets and measured data", {"--targets", "--threads", "--fit", "--alpha-of-speed", "--figures"}},
+      {"Many targets and measured data",
+       {"--targets", "--threads", "--fit", "--alpha-of-speed", "--figures", "--materials"}},
       {"Output", {"--export", "--report", "--format", "--output"}}};
   for (const auto& [heading, flags] : groups)
     for (const char* flag : flags) app.get_option(flag)->group(heading);
@@ -79,6 +80,11 @@ void add_options(CLI::App& app, Options& o) {
                "with --fit: the fractional law also with an alpha that follows the speed");
   app.add_option("--figures", o.figures, "with --fit: also draw measurements, fits and residuals into this folder")
       ->type_name("DIR");
+  app.add_option(
+         "--materials", o.materials,
+         "calibrate every pair of a JSON file of materials, grains and walls, instead; with --export an engine's "
+         "whole contact block")
+      ->type_name("FILE");
   add_choice(app, "--export", o.engine, {"liggghts", "lammps", "yade", "mercurydpm", "mfix"},
              "write the laws in an engine's own language instead");
   app.add_option("--report", o.page, "also write a page with curves, sensitivities, time steps and export snippets")

@@ -35,8 +35,10 @@ std::string explained(const Infeasible& missed);
 
 /// The laws found in the language of `engine`, as one file to include; comments alone where it has none of them.
 std::string exported(const Report& report, Engine engine);
-/// The same or as JSON. Throws console::BadInput for another format, console::Unreachable where the engine can be given
-/// none of the laws.
+/// Snippets as one file or as JSON. Throws console::BadInput for another format, console::Unreachable where the engine
+/// can be given none of them.
+std::string exported(const std::vector<Snippet>& snippets, Engine engine, console::Format format);
+/// Those of a report, which also says what it did not find. Throws as above.
 std::string exported(const Report& report, const std::string& engine, console::Format format);
 
 /// For people: parameters, collisions, checks, in several captioned tables.

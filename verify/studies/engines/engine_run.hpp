@@ -31,11 +31,12 @@ struct Encounter {
   Grain a;
   std::optional<Grain> b;  ///< none: a wall
   double velocity;         ///< relative [m/s]
-  double duration;         ///< of the run [s]
+  double tcol;             ///< of the collision, roughly [s]; a run takes 1.7 of it
   int grain_types = 1;     ///< that the snippet has
   /// What follows ricochet_wall and wall_material in the snippet, of each kind of wall; without b the first is met.
   std::vector<std::string> walls = {};
 
+  double duration() const { return 1.7 * tcol; }
   double mass_eff() const { return b ? a.mass() / (1 + a.mass() / b->mass()) : a.mass(); }
   double radius_eff() const { return b ? a.radius / (1 + a.radius / b->radius) : a.radius; }
   /// Distance of the centres, or of a's from the wall, at touch [m].
