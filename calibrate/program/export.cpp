@@ -17,9 +17,9 @@ std::vector<Snippet> snippets_of(const Report& report, Engine engine) {
   for (const Calibration& found : report.results)
     snippets.push_back(export_law(engine, {.law = found.law,
                                            .end = found.end,
-                                           .tcol = job.target.tcol,
-                                           .en = job.target.en,
-                                           .impact = job.target.impact,
+                                           .tcol = found.request.target.tcol,
+                                           .en = found.request.target.en,
+                                           .impact = found.request.target.impact,
                                            .radius_eff = job.radius_eff,
                                            .density = job.density}));
   return snippets;

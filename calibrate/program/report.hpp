@@ -2,6 +2,7 @@
 
 #include "job.hpp"
 
+#include <console/json.hpp>
 #include <console/table.hpp>
 
 #include <string>
@@ -39,6 +40,7 @@ std::vector<console::Table> tables_of(const Report& report);
 /// For spreadsheets: one row a law and end.
 console::Table csv_of(const Report& report);
 /// "ricochet/calibration/1".
+console::Json document_of(const Report& report);
 std::string json_of(const Report& report);
 
 /// The same and more as one page that loads nothing: curves, sensitivity, time steps, export snippets.

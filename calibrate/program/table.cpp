@@ -19,11 +19,11 @@ std::string end_of(const Calibration& r) { return std::string(text(r.end)); }
 
 /// One line a parameter, since every law has its own units.
 Table parameter_table(const Report& report) {
-  const auto& [tcol, en, impact] = report.job.target;
-  using console::shortest;
+  const Impact& impact = report.job.known.impact;
   Table table({{"law"}, {"end"}, {"parameter"}, {"value", "", nine}, {"unit"}},
-              fmt::format("Parameters for tcol = {} s, en = {} at {} m/s, effective mass {} kg", shortest(tcol),
-                          shortest(en), shortest(impact.velocity), console::significant(impact.mass_eff, 9)));
+              fmt::format("{}{} at {} m/s, effective mass {} kg", report.job.given ? "The law " : "Parameters for ",
+                          asked_text(report.job), console::shortest(impact.velocity),
+                          console::significant(impact.mass_eff, 9)));
   for (const auto& r : report.results)
     for (const auto& p : parameters(r.law)) table.row({law_of(r), end_of(r), p.name, p.value, p.unit});
   for (const auto& assumption : report.job.assumptions) table.note("assumed: " + assumption);
@@ -52,7 +52,7 @@ Table collision_table(const Report& report) {
                                        {"max force", "N"},
                                        {"tcol by Eq. (57)", "s"}};
   if (report.job.radius) columns.push_back({"max overlap/radius", "%", {Notation::Kind::significant, 3}});
-  Table table(columns, "What they do, by an independent numerical collision");
+  Table table(columns, report.job.given ? "What it does" : "What they do, by an independent numerical collision");
   for (const auto& r : report.results) {
     std::vector<Cell> row{law_of(r),
                           end_of(r),
@@ -107,7 +107,8 @@ Table failure_table(const Report& report) {
 
 std::vector<Table> tables_of(const Report& report) {
   std::vector<Table> tables;
-  if (!report.results.empty()) tables = {parameter_table(report), collision_table(report), check_table(report)};
+  if (!report.results.empty()) tables = {parameter_table(report), collision_table(report)};
+  if (!report.results.empty() && !report.job.given) tables.push_back(check_table(report));
   if (!report.infeasible.empty()) tables.push_back(infeasible_table(report));
   if (!report.failed.empty()) tables.push_back(failure_table(report));
   return tables;
