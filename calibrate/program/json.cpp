@@ -80,6 +80,13 @@ Json json_of(const Calibration& r, bool given) {
   return out;
 }
 
+Json json_of(const std::vector<EngineStep>& steps) {
+  Json all = Json::array();
+  for (const EngineStep& s : steps)
+    all.push_back({{"engine", s.engine}, {"error_en", s.error_en}, {"step", s.step ? Json(*s.step) : Json()}});
+  return all;
+}
+
 Json json_of(const Infeasible& missed) {
   Json reachable = Json::object();
   if (!missed.quantity.empty()) reachable[missed.quantity] = {missed.lowest, missed.highest};
@@ -94,11 +101,17 @@ Json document_of(const Report& report) {
   out["target"] = target_of(report.job);
   if (report.job.given)
     out["impact"] = {{"velocity", report.job.known.impact.velocity}, {"mass_eff", report.job.known.impact.mass_eff}};
-  out["units"] = {{"tcol", "s"},        {"velocity", "m/s"}, {"mass_eff", "kg"},    {"max_overlap", "m"},
-                  {"overlap_end", "m"}, {"max_force", "N"},  {"tcol_estimate", "s"}};
+  out["units"] = {{"tcol", "s"},          {"velocity", "m/s"},    {"mass_eff", "kg"},
+                  {"max_overlap", "m"},   {"overlap_end", "m"},   {"max_force", "N"},
+                  {"tcol_estimate", "s"}, {"timestep.step", "s"}, {"hertz_time", "s"}};
   out["assumed"] = report.job.assumptions;
   out["results"] = Json::array();
-  for (const auto& result : report.results) out["results"].push_back(json_of(result, report.job.given.has_value()));
+  for (const Calibration& r : report.results) {
+    Json result = json_of(r, report.job.given.has_value());
+    result["timestep"] = json_of(engine_steps(r.law, r.end, r.request.target));
+    if (const auto time = hertz_time_of(r.law, report.job.known.impact)) result["hertz_time"] = *time;
+    out["results"].push_back(result);
+  }
   out["infeasible"] = Json::array();
   for (const auto& missed : report.infeasible) out["infeasible"].push_back(json_of(missed));
   for (const auto& failure : report.failed)

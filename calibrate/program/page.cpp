@@ -23,8 +23,6 @@ using console::escaped;
 using console::Notation;
 using console::Table;
 
-constexpr std::array bounds{0.05, 0.01, 0.001};  ///< errors of e_n that the time step is given for
-
 std::string title_of(const Calibration& r) { return fmt::format("{}, ended by {}", name(r.law), text(r.end)); }
 
 /// The curves of one law up to the end of its contact; those of the fractional law are the closed form.
@@ -83,42 +81,24 @@ Table sensitivity_table(const Report& report) {
   return table;
 }
 
-struct Stepping {
+/// The errors of one law by one way of stepping.
+struct Stepped {
   std::string title;
-  std::string law, end;
-  double tcol;
   std::vector<StepError> errors;
 };
 
-std::vector<Stepping> steppings(const Report& report) {
-  std::vector<Stepping> all;
-  for (const Calibration& r : report.results)
-    all.push_back({title_of(r), std::string(name(r.law)), std::string(text(r.end)), r.request.target.tcol,
-                   step_errors(r.law, r.end, r.request.target)});
+std::vector<Stepped> steppings(const Report& report) {
+  std::vector<Stepped> all;
+  for (const Calibration& r : report.results) {
+    all.push_back({title_of(r), step_errors(r.law, r.end, r.request.target)});
+    if (std::holds_alternative<Fractional>(r.law) && r.end == ContactEnd::force)
+      all.push_back(
+          {title_of(r) + ", liggghts-ricochet", step_errors(r.law, r.end, r.request.target, Stepping::located)});
+  }
   return all;
 }
 
-Table step_table(const std::vector<Stepping>& all) {
-  std::vector<console::Column> columns{{"law"}, {"end"}};
-  for (const double bound : bounds) {
-    columns.push_back({fmt::format("steps for {} %", console::shortest(100 * bound))});
-    columns.push_back({"time step", "s", {Notation::Kind::significant, 3}});
-  }
-  Table table(columns, "Time steps a collision for a stated greatest error of e_n");
-  for (const Stepping& s : all) {
-    std::vector<console::Cell> row{s.law, s.end};
-    for (const double bound : bounds) {
-      const auto steps = steps_for(s.errors, bound);
-      row.push_back(steps ? console::Cell(std::int64_t{*steps}) : console::blank());
-      row.push_back(steps ? console::Cell(s.tcol / *steps) : console::blank());
-    }
-    table.row(row);
-  }
-  table.note("-: more than 1000 steps.");
-  return table;
-}
-
-console::Figure step_figure(const std::vector<Stepping>& all) {
+console::Figure step_figure(const std::vector<Stepped>& all) {
   std::string csv = "law,steps,error of en\n";
   console::Panel panel{.x = {.label = "time steps a collision, t_{col}/Δt", .log = true},
                        .y = {.label = "greatest relative error of e_n", .log = true, .format = "%g"},
@@ -140,14 +120,11 @@ console::Figure step_figure(const std::vector<Stepping>& all) {
       .data = {{"steps.csv", csv}},
       .width = 960,
       .height = 460};
-  const auto worst = std::max_element(all.begin(), all.end(), [](const Stepping& a, const Stepping& b) {
-    return a.errors[5].error < b.errors[5].error;
-  });
-  figure.finding = fmt::format(
-      "With {} steps a collision the error is {} % at worst ({}); from 100 to 1000 steps it falls like the step to the "
-      "power {}.",
-      worst->errors[5].steps, console::significant(100 * worst->errors[5].error, 2), worst->title,
-      console::fixed(std::log10(worst->errors[9].error / worst->errors[15].error), 2));
+  const auto last = [](const Stepped& s) { return s.errors.back().steps; };
+  const auto worst =
+      std::max_element(all.begin(), all.end(), [&](const Stepped& a, const Stepped& b) { return last(a) < last(b); });
+  figure.finding = fmt::format("{} wants the most steps: with {} the error is {} %.", worst->title, last(*worst),
+                               console::significant(100 * worst->errors.back().error, 2));
   return figure;
 }
 
@@ -157,9 +134,8 @@ std::string snippets(const Report& report) {
 )";
   for (const Engine engine : engines()) {
     const std::string word(text(engine));
-    html += fmt::format(
-        "<h3>{}</h3>\n{}", escaped(version(engine)),
-        console::html_code("code-" + word, "Input for " + word, exported(report, word, console::Format::table)));
+    html += fmt::format("<h3>{}</h3>\n{}", escaped(version(engine)),
+                        console::html_code("code-" + word, "Input for " + word, exported(report, engine)));
   }
   return html;
 }
@@ -190,12 +166,11 @@ std::string about_laws(const Report& report) {
 {}<h2 id="step">Which time step</h2>
 <p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force from the position at the end of the step)"
       R"( and the velocity at its middle, a contact found once the bodies overlap. The error is the greatest over)"
-      R"( sixteen places of the first touch within a step. liggghts-ricochet locates the touch and needs fewer)"
-      R"( steps for the fractional law than this table says.</p>
-{}{}{})",
+      R"( sixteen places of the first touch within a step. liggghts-ricochet locates touch and end. The table of)"
+      R"( time steps above is read off these curves.</p>
+{}{})",
       console::html_figure(curves, console::svg_of(curves), {}),
       console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}),
-      console::html_table(step_table(all), {.id = "steps", .shown = 40}),
       console::html_figure(steps, console::svg_of(steps), {}), snippets(report));
 }
 

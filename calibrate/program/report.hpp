@@ -2,6 +2,8 @@
 
 #include "job.hpp"
 
+#include <calibrate/advice.hpp>
+#include <calibrate/export.hpp>
 #include <console/json.hpp>
 #include <console/table.hpp>
 
@@ -31,8 +33,10 @@ Report run(const Job& job, const Settings& settings);
 /// "en = 0.01: must be in [0.2, 1]: <why>"
 std::string explained(const Infeasible& missed);
 
-/// The laws found in the language of `engine`, as one file to include or as JSON. Throws console::BadInput for another
-/// format.
+/// The laws found in the language of `engine`, as one file to include; comments alone where it has none of them.
+std::string exported(const Report& report, Engine engine);
+/// The same or as JSON. Throws console::BadInput for another format, console::Unreachable where the engine can be given
+/// none of the laws.
 std::string exported(const Report& report, const std::string& engine, console::Format format);
 
 /// For people: parameters, collisions, checks, in several captioned tables.

@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 namespace ricochet::calibration {
 namespace {
 
@@ -89,6 +93,53 @@ Table check_table(const Report& report) {
   return table;
 }
 
+/// "liggghts, lammps": the engines of one law, which step it alike; steps that keep e_n to the bound.
+struct Advised {
+  std::string engines;
+  std::optional<double> step[std::size(step_bounds)];
+};
+
+std::vector<Advised> advised(const std::vector<EngineStep>& steps) {
+  constexpr std::size_t bounds = std::size(step_bounds);
+  std::vector<Advised> all;
+  for (std::size_t i = 0; i + bounds <= steps.size(); i += bounds) {
+    Advised one{steps[i].engine, {}};
+    for (std::size_t j = 0; j < bounds; ++j) one.step[j] = steps[i + j].step;
+    if (!all.empty() && std::equal(std::begin(one.step), std::end(one.step), std::begin(all.back().step)))
+      all.back().engines += ", " + one.engines;
+    else
+      all.push_back(one);
+  }
+  return all;
+}
+
+Table step_table(const Report& report) {
+  const Notation three{Notation::Kind::significant, 3};
+  std::vector<console::Column> columns{{"law"}, {"end"}, {"in"}};
+  for (const double bound : step_bounds) {
+    columns.push_back({fmt::format("step for {} %", console::shortest(100 * bound)), "s", three});
+    columns.push_back({"tcol/step"});
+  }
+  columns.push_back({"Hertz time", "s", three});
+  Table table(columns, "Time step that keeps en in the engines, wherever in a step the first touch falls");
+  bool missed = false;
+  for (const Calibration& r : report.results) {
+    const auto hertz = hertz_time_of(r.law, report.job.known.impact);
+    for (const Advised& a : advised(engine_steps(r.law, r.end, r.request.target))) {
+      std::vector<Cell> row{law_of(r), end_of(r), a.engines};
+      for (const auto& step : a.step) {
+        missed = missed || !step;
+        row.push_back(step ? Cell(*step) : console::blank());
+        row.push_back(step ? Cell(std::int64_t{std::lround(r.request.target.tcol / *step)}) : console::blank());
+      }
+      row.push_back(hertz ? Cell(*hertz) : console::blank());
+      table.row(row);
+    }
+  }
+  if (missed) table.note("-: more than 20000 steps a collision");
+  return table;
+}
+
 Table infeasible_table(const Report& report) {
   Table table({{"law"}, {"end"}, {"why"}}, "Out of reach");
   for (const auto& missed : report.infeasible)
@@ -109,6 +160,7 @@ std::vector<Table> tables_of(const Report& report) {
   std::vector<Table> tables;
   if (!report.results.empty()) tables = {parameter_table(report), collision_table(report)};
   if (!report.results.empty() && !report.job.given) tables.push_back(check_table(report));
+  if (!report.results.empty()) tables.push_back(step_table(report));
   if (!report.infeasible.empty()) tables.push_back(infeasible_table(report));
   if (!report.failed.empty()) tables.push_back(failure_table(report));
   return tables;
