@@ -13,11 +13,31 @@ namespace {
 
 using console::Json;
 
+/// The same of two grains that meet each other instead of the wall.
+Known between_grains(Known known) {
+  known.impact.mass_eff *= 0.5;
+  if (auto* moduli = std::get_if<scale::Moduli>(&known.scale)) {
+    moduli->second = moduli->first;
+    moduli->radius_eff *= 0.5;
+  }
+  return known;
+}
+
+/// What the law of two grains is where that of a grain and the wall was found; nothing where there is none.
+std::optional<Calibration> law_between_grains(const Job& job, const Calibration& found) {
+  Job grains = job;
+  grains.known = between_grains(job.known);
+  grains.wanted = {{LawKind::of(found.law), found.end}};
+  grains.left_out.clear();
+  const Report report = run(grains, {.method = Method::direct});
+  return report.results.empty() ? std::nullopt : std::optional(report.results.front());
+}
+
 /// The contact that was calibrated; with a wall also that of two such grains, which an engine has to know as well:
-/// calibrated to the same target at their own effective mass. nullopt where they cannot reach it.
+/// calibrated the same way at their own effective mass. nullopt where they cannot reach it.
 std::optional<ContactSet> contacts_of(const Report& report, const Calibration& found) {
   const Job& job = report.job;
-  const Target& target = job.target;
+  const Target& target = found.request.target;
   PairCase asked{0, 0, found.law, target.tcol, target.en, target.impact, job.radius_eff};
   ContactSet set{found.end, {{.name = "grain", .density = job.density}}, {}};
   if (!job.wall) {
@@ -27,21 +47,13 @@ std::optional<ContactSet> contacts_of(const Report& report, const Calibration& f
   asked.b = 1;
   set.kinds.push_back({.name = "wall", .wall = true});
   set.pairs.push_back(asked);
-  PairCase grains = asked;
-  grains.b = 0;
-  grains.impact.mass_eff *= 0.5;
-  grains.radius_eff = 0.5 * *asked.radius_eff;
-  const auto same = std::find_if(job.requests.begin(), job.requests.end(), [&](const Request& r) {
-    return r.law == LawKind::of(found.law) && r.end == found.end;
-  });
-  const Outcome outcome = calibrate({same->law, same->end, {target.tcol, target.en, grains.impact}, same->stiffness},
-                                    {.method = Method::direct});
-  if (!std::holds_alternative<Calibration>(outcome)) return std::nullopt;
-  grains.law = std::get<Calibration>(outcome).law;
-  set.pairs.push_back(grains);
+  const auto grains = law_between_grains(job, found);
+  if (!grains) return std::nullopt;
+  const Target& theirs = grains->request.target;
+  set.pairs.push_back({0, 0, grains->law, theirs.tcol, theirs.en, theirs.impact, 0.5 * *asked.radius_eff});
   set.notes.push_back(
-      "Not asked for, but every engine wants it: two such grains meet by the same law, calibrated to the "
-      "same collision time and restitution at their own effective mass.");
+      "Not asked for, but every engine wants it: two such grains meet by the same law, found the same way at their own "
+      "effective mass.");
   return set;
 }
 

@@ -218,15 +218,13 @@ void fit_all(FitReport& report, const std::vector<FitRequest>& requests, const s
 }  // namespace
 
 console::Exit run_fit(const Options& options) {
-  take_only(options, "--fit",
-            {"--fit", "--law", "--end", "--mass-eff", "--radius", "--density", "--radius2", "--density2", "--wall",
-             "--alpha-of-speed", "--figures", "--format", "--output"});
+  take_only(
+      options, "--fit",
+      flags_of({}, {"--fit", "--law", "--end", "--mass-eff", "--radius", "--diameter", "--density", "--radius2",
+                    "--diameter2", "--density2", "--wall", "--alpha-of-speed", "--figures", "--format", "--output"}));
   FitReport report;
-  Options spheres = options;
-  spheres.law = spheres.end = "";
-  const TargetDefaults defaults = target_defaults(spheres);
-  report.assumptions = defaults.assumptions;
-  const auto requests = requests_of(options, defaults.impact.mass_eff, report.left_out);
+  const Bodies bodies = bodies_of(options.asked, Spelling::flags, report.assumptions);
+  const auto requests = requests_of(options, bodies.mass_eff, report.left_out);
   report.data = read_measurements(options.fit);
   fit_all(report, requests, options.fit);
   // Both are whole before either takes its place.

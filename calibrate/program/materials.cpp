@@ -139,14 +139,14 @@ void read_law(const Node& node, Materials& materials) {
 Materials read_materials(const std::string& file, const std::string& text) {
   const console::Json json = console::parse_json(file, text, "docs/materials.md");
   const Node root(file, text, json);
-  root.allow({"schema", "title", "law", "velocity", "soften", "linear", "tcol", "materials", "pairs"});
+  root.allow({"schema", "title", "law", "velocity", "soften", "match", "tcol", "materials", "pairs"});
   if (root.has("schema")) root.at("schema").one_of({"ricochet/materials/1"});
   if (root.has("title")) root.at("title").text();
   Materials materials;
   read_law(root.at("law"), materials);
   materials.velocity = scale(root.at("velocity"));
   if (root.has("soften")) materials.soften = within(root.at("soften"), 1, greatest_scale, "in [1, 1e30]");
-  if (root.has("linear") && root.at("linear").one_of({"time", "overlap"}) == "overlap")
+  if (root.has("match") && root.at("match").one_of({"time", "overlap"}) == "overlap")
     materials.match = LinearMatch::overlap;
   read_all(root.at("materials"), materials);
   read_pairs(root, materials);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace ricochet::calibration {
 namespace {
@@ -45,9 +46,17 @@ std::string read_file(const std::string& path) {
   return text.str();
 }
 
-Answer answer(Materials materials) {
+std::vector<PairOutcome> outcomes_of(const std::string& file, const Materials& materials) {
+  try {
+    return calibrate_pairs(materials);
+  } catch (const std::invalid_argument& misuse) {
+    throw console::BadInput(fmt::format("{}: {}", file, misuse.what()));
+  }
+}
+
+Answer answer(const std::string& file, Materials materials) {
   Answer all{std::move(materials), {}, {}, {}};
-  for (const PairOutcome& outcome : calibrate_pairs(all.materials)) {
+  for (const PairOutcome& outcome : outcomes_of(file, all.materials)) {
     if (const auto* found = std::get_if<PairResult>(&outcome)) all.found.push_back(*found);
     if (const auto* missed = std::get_if<PairMissed>(&outcome)) all.missed.push_back(*missed);
   }
@@ -240,7 +249,7 @@ console::Exit run_materials(const Options& options) {
   take_only(options, "--materials", {"--materials", "--export", "--format", "--output"});
   Materials materials = read_materials(options.materials, read_file(options.materials));
   const auto engine = engine_named(options.engine);
-  const Answer all = answer(std::move(materials));
+  const Answer all = answer(options.materials, std::move(materials));
   console::Output output(options.output.file);
   if (engine && all.missed.empty()) {
     const Snippet snippet =

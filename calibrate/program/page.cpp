@@ -55,17 +55,18 @@ console::Figure curves_figure(const Report& report) {
   std::vector<console::Motion> motions;
   const Calibration *least = nullptr, *most = nullptr;
   for (const Calibration& r : report.results) {
-    motions.push_back({title_of(r), std::visit(Curves{report.job.target, r.achieved.tcol}, r.law)});
+    motions.push_back({title_of(r), std::visit(Curves{r.request.target, r.achieved.tcol}, r.law)});
     if (!least || r.achieved.max_force < least->achieved.max_force) least = &r;
     if (!most || r.achieved.max_force > most->achieved.max_force) most = &r;
   }
   auto figure = console::collision_panels(
       "collision", "Overlap, velocity and force during the collision, under every law.", motions);
-  figure.finding = fmt::format(
-      "All laws end after the same time with the same velocity; on the way the greatest force ranges from {} N ({}) to "
-      "{} N ({}).",
-      console::significant(least->achieved.max_force, 3), title_of(*least),
-      console::significant(most->achieved.max_force, 3), title_of(*most));
+  figure.finding = fmt::format("{} the greatest force ranges from {} N ({}) to {} N ({}).",
+                               std::holds_alternative<scale::CollisionTime>(report.job.known.scale) && !report.job.given
+                                   ? "All laws end after the same time with the same velocity; on the way"
+                                   : "The laws take times of their own;",
+                               console::significant(least->achieved.max_force, 3), title_of(*least),
+                               console::significant(most->achieved.max_force, 3), title_of(*most));
   return figure;
 }
 
@@ -74,7 +75,7 @@ Table sensitivity_table(const Report& report) {
   Table table({{"law"}, {"end"}, {"parameter"}, {"tcol changes by", "%", three}, {"en changes by", "%", three}},
               "What one percent more of a parameter does");
   for (const Calibration& r : report.results)
-    for (const Sensitivity& s : sensitivities(r.law, r.end, report.job.target.impact))
+    for (const Sensitivity& s : sensitivities(r.law, r.end, report.job.known.impact))
       table.row({std::string(name(r.law)), std::string(text(r.end)), s.parameter.name,
                  s.tcol ? console::Cell(*s.tcol) : console::blank(), s.en ? console::Cell(*s.en) : console::blank()});
   return table;
@@ -89,10 +90,10 @@ struct Stepped {
 std::vector<Stepped> steppings(const Report& report) {
   std::vector<Stepped> all;
   for (const Calibration& r : report.results) {
-    all.push_back({title_of(r), step_errors(r.law, r.end, report.job.target)});
+    all.push_back({title_of(r), step_errors(r.law, r.end, r.request.target)});
     if (std::holds_alternative<Fractional>(r.law) && r.end == ContactEnd::force)
       all.push_back(
-          {title_of(r) + ", liggghts-ricochet", step_errors(r.law, r.end, report.job.target, Stepping::located)});
+          {title_of(r) + ", liggghts-ricochet", step_errors(r.law, r.end, r.request.target, Stepping::located)});
   }
   return all;
 }
@@ -127,10 +128,6 @@ console::Figure step_figure(const std::vector<Stepped>& all) {
   return figure;
 }
 
-std::string target_text(const Target& target) {
-  return fmt::format("tcol = {} s, en = {}", console::shortest(target.tcol), console::shortest(target.en));
-}
-
 std::string snippets(const Report& report) {
   std::string html = R"(<h2 id="export">For the engines</h2>
 <p>The first law that an engine runs exactly is active, the others are comments.</p>
@@ -143,19 +140,20 @@ std::string snippets(const Report& report) {
   return html;
 }
 
-std::string head(const Target& target) {
+std::string head(const Job& job) {
   return fmt::format(
       R"(<header>
 <h1>Contact laws for a measured rebound</h1>
 <p class="lead">{} at {} m/s, effective mass {} kg</p>
-<p>Parameters of every contact law that make a collision take this time and keep this share of the velocity, proved by)"
-      R"( an independent numerical collision.</p>
+<p>{}</p>
 </header>
 <main id="content">
 <h2 id="parameters">Parameters</h2>
 )",
-      escaped(target_text(target)), console::shortest(target.impact.velocity),
-      console::significant(target.impact.mass_eff, 9));
+      escaped(asked_text(job)), console::shortest(job.known.impact.velocity),
+      console::significant(job.known.impact.mass_eff, 9),
+      job.given ? "What a law of these parameters does."
+                : "Parameters of every contact law that meet this, proved by an independent numerical collision.");
 }
 
 /// What the laws do: curves, sensitivities, time steps, and the engines' input.
@@ -179,7 +177,7 @@ std::string about_laws(const Report& report) {
 }  // namespace
 
 std::string page_of(const Report& report) {
-  std::string body = head(report.job.target);
+  std::string body = head(report.job);
   const auto tables = tables_of(report);
   for (std::size_t i = 0; i < tables.size(); ++i)
     body += console::html_table(tables[i], {.id = fmt::format("table-{}", i + 1), .shown = 40});
@@ -191,7 +189,7 @@ std::string page_of(const Report& report) {
 <footer><p>Ricochet. SI units.</p></footer>
 )",
                       console::html_code("code-json", "The calibration as JSON", json_of(report)));
-  return console::html_page(fmt::format("Contact laws for {}", target_text(report.job.target)), body);
+  return console::html_page(fmt::format("Contact laws for {}", asked_text(report.job)), body);
 }
 
 }  // namespace ricochet::calibration

@@ -4,6 +4,7 @@
 
 #include <calibrate/advice.hpp>
 #include <calibrate/export.hpp>
+#include <console/json.hpp>
 #include <console/table.hpp>
 
 #include <string>
@@ -24,11 +25,13 @@ struct Report {
   std::vector<Calibration> results;
   std::vector<Infeasible> infeasible;
   std::vector<Failure> failed = {};
-  std::vector<std::vector<EngineStep>> steps = {};  ///< of each result
 };
 
 /// One law's failure leaves the others' results as they are.
 Report run(const Job& job, const Settings& settings);
+
+/// Rayleigh's time of the smaller sphere [s], where its moduli, density and radius are known.
+std::optional<double> rayleigh_of(const Job& job);
 
 /// "en = 0.01: must be in [0.2, 1]: <why>"
 std::string explained(const Infeasible& missed);
@@ -46,6 +49,7 @@ std::vector<console::Table> tables_of(const Report& report);
 /// For spreadsheets: one row a law and end.
 console::Table csv_of(const Report& report);
 /// "ricochet/calibration/1".
+console::Json document_of(const Report& report);
 std::string json_of(const Report& report);
 
 /// The same and more as one page that loads nothing: curves, sensitivity, time steps, export snippets.

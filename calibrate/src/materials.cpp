@@ -1,6 +1,6 @@
 #include <calibrate/materials.hpp>
 
-#include <ricochet/collision/damping_ratio.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +102,14 @@ double Material::mass(double radius) const { return 4 * std::numbers::pi / 3 * r
 
 std::vector<PairOutcome> calibrate_pairs(const Materials& materials) {
   std::vector<PairOutcome> all;
-  for (const Pair& pair : materials.pairs) all.push_back(calibrated(materials, pair));
+  for (const Pair& pair : materials.pairs) {
+    try {
+      all.push_back(calibrated(materials, pair));
+    } catch (const std::invalid_argument& misuse) {
+      throw std::invalid_argument(
+          fmt::format("pair {}, {}: {}", materials.all[pair.a].name, materials.all[pair.b].name, misuse.what()));
+    }
+  }
   return all;
 }
 

@@ -81,3 +81,20 @@ TEST_CASE("a scale out of all range is named by what was given") {
       calibrate(kind_of<Linear>, ContactEnd::force, {scale::MaxOverlap{1e40}, loss::Restitution{0.5}, {1e-30, 1}}),
       Catch::StartsWith("max_overlap"));
 }
+
+TEST_CASE("the tables give the same requests as the slow way") {
+  const DirectCalibrator quick;
+  const Impact impact{0.7, 3e-5};
+  for (const LawKind law : LawKind::all())
+    for (const double en : {0.3, 0.97, 1.0})
+      for (const Scale& scale : {Scale(scale::Stiffness{4e4}), Scale(scale::MaxOverlap{1e-5}),
+                                 Scale(scale::Moduli{{1e8, 0.3}, {2e9, 0.2}, 1e-3})}) {
+        CAPTURE(law.name(), en, name(scale));
+        const Known known{scale, loss::Restitution{en}, impact};
+        const auto one = std::get<Request>(request_of(law, ContactEnd::force, known));
+        const auto other = std::get<Request>(request_of(law, ContactEnd::force, known, quick));
+        CHECK(other.target.tcol == Approx(one.target.tcol).epsilon(1e-10));
+        CHECK(other.target.en == one.target.en);
+        CHECK(other.stiffness == one.stiffness);
+      }
+}

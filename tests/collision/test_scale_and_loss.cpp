@@ -105,6 +105,9 @@ TEST_CASE("values of the measures of loss", "[loss]") {
   CHECK(restitution(kind_of<Fractional>, ContactEnd::force, loss::LossFactor{1}).value() ==
         Approx(fractional_contact(0.5).en).epsilon(1e-14));
   CHECK(restitution(kind_of<Fractional>, ContactEnd::force, loss::LossFactor{0}).value() == 1);
+  CHECK(restitution(kind_of<Fractional>, ContactEnd::overlap, loss::ConversionDegree{0.3}).value() ==
+        fractional_contact(0.3, ContactEnd::overlap).en);
+  CHECK_FALSE(restitution(kind_of<Fractional>, ContactEnd::overlap, loss::ConversionDegree{0.41}));
   // Linear by overlap: e = exp(−πβ/√(1−β²)).
   CHECK(restitution(kind_of<Linear>, ContactEnd::overlap, loss::DampingRatio{0.6}).value() ==
         Approx(std::exp(-0.75 * std::numbers::pi)).epsilon(1e-15));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <calibrate/calibration.hpp>
+#include <calibrate/direct_calibrator.hpp>
 #include <ricochet/collision/scale_and_loss.hpp>
 
 #include <optional>
@@ -18,7 +19,7 @@ struct Known {
 
 /// "tcol", "stiffness", "young", "max_overlap".
 std::string_view name(const Scale& scale) noexcept;
-/// "en", "loss_factor", "damping_ratio".
+/// "en", "loss_factor", "damping_ratio", "alpha".
 std::string_view name(const Loss& loss) noexcept;
 
 /// What it comes to for one law and end: the target, and for the fractional law the k to hold where the scale is a
@@ -26,6 +27,10 @@ std::string_view name(const Loss& loss) noexcept;
 /// Throws std::invalid_argument for a value outside its domain, a law that has no such loss, and a scale whose t_col is
 /// not in [1e-30, 1e30] s.
 std::variant<Request, Infeasible> request_of(LawKind law, ContactEnd end, const Known& known);
+/// The same with the tables of the direct method: microseconds instead of milliseconds, but for an overlap, which takes
+/// one collision.
+std::variant<Request, Infeasible> request_of(LawKind law, ContactEnd end, const Known& known,
+                                             const DirectCalibrator& calibrator);
 
 /// `calibrate` of that request. The answer's `achieved` is what it does; its target is in `request_of`.
 Outcome calibrate(LawKind law, ContactEnd end, const Known& known, const Settings& settings = {});

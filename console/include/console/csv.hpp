@@ -63,6 +63,13 @@ struct CsvColumn {
   std::string_view name;
   std::string_view unit = {};  ///< SI, in which numbers are handed on; empty: a text, or a number without unit
   bool needed = false;
+  std::string_view aliases = {};  ///< other names that people give it, between commas: "v,speed"
+};
+
+/// What becomes of columns that a program does not know.
+enum class Unknown {
+  refused,
+  ignored  ///< and told of by `CsvColumns::ignored`
 };
 
 /// The columns of one file as its head names them, and its rows read by them; shared by threads.
@@ -74,12 +81,15 @@ struct CsvColumn {
 /// decimal multiple of the column's own is converted exactly, without one the numbers are in the column's own.
 class CsvColumns {
  public:
-  static constexpr std::size_t most = 32;  ///< columns of a file
+  static constexpr std::size_t most = 128;  ///< columns of a file
 
   /// `accepted` must outlive it. Throws BadInput "file:line: column = x: must be one of …" where a column is none of
   /// these, comes twice, has no known unit or is missing.
-  CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted);
+  CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted,
+             Unknown unknown = Unknown::refused);
 
+  /// The headings of columns that are not read, as they stand.
+  const std::vector<std::string>& ignored() const { return ignored_; }
   bool has(std::size_t column) const { return exponents_[column].has_value(); }
 
   /// The fields of one row by the order of `accepted`, which is the size of `fields`; one whose column the file does
@@ -91,11 +101,13 @@ class CsvColumns {
 
  private:
   std::optional<std::size_t> fields_of(std::string_view line, std::span<std::string_view> fields) const;
-  std::size_t take(std::string_view heading);
+  std::optional<std::size_t> take(std::string_view heading, Unknown unknown);
+  [[noreturn]] void refuse(std::string_view heading, std::size_t count) const;
 
   std::span<const CsvColumn> accepted_;
   char separator_;
-  std::vector<std::size_t> order_;             // the file's columns
+  std::vector<std::optional<std::size_t>> order_;  // the file's columns, without those that are ignored
+  std::vector<std::string> ignored_;
   std::vector<std::optional<int>> exponents_;  // of ten, from the file's unit to the column's, where it has the column
 };
 
@@ -103,11 +115,13 @@ class CsvColumns {
 class CsvReader {
  public:
   /// Reads the head; what `accepted` refers to must outlive the reader.
-  CsvReader(std::string path, std::span<const CsvColumn> accepted);
+  CsvReader(std::string path, std::span<const CsvColumn> accepted, Unknown unknown = Unknown::refused);
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
   bool has(std::size_t column) const { return columns_ && columns_->has(column); }
+  /// The headings of columns that are not read.
+  std::vector<std::string> ignored() const { return columns_ ? columns_->ignored() : std::vector<std::string>(); }
 
   /// To the next row; false after the last, and where there is not even a head.
   bool next();

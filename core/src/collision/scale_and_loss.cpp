@@ -52,13 +52,22 @@ struct LossOf<PowerLaw<Form>, loss::DampingRatio> {
   static double en(const loss::DampingRatio& loss, ContactEnd end) { return restitution_of_damping(loss.ratio, end); }
 };
 
-template <>
-struct LossOf<Fractional, loss::LossFactor> {
+double degree_of(const loss::LossFactor& loss) { return 2 / pi * std::atan(loss.tan_delta); }
+double degree_of(const loss::ConversionDegree& loss) { return loss.alpha; }
+double limit_in(const loss::LossFactor&, double alpha) { return std::tan(pi / 2 * alpha); }
+double limit_in(const loss::ConversionDegree&, double alpha) { return alpha; }
+
+template <class Measure>
+requires requires(const Measure& loss) { degree_of(loss); }
+struct LossOf<Fractional, Measure> {
   static constexpr bool known = true;
-  static double limit(ContactEnd end) { return end == ContactEnd::force ? infinity : std::tan(pi / 2 * overlap_limit); }
-  static double en(const loss::LossFactor& loss, ContactEnd end) {
-    // Past 1e15 the rounding of α leaves nothing of 1 − α, with which e_n goes.
-    return loss.tan_delta > 1e15 ? 0 : fractional_contact(2 / pi * std::atan(loss.tan_delta), end).en;
+  static double limit(ContactEnd end) {
+    return end == ContactEnd::force ? infinity : limit_in(Measure{}, overlap_limit);
+  }
+  static double en(const Measure& loss, ContactEnd end) {
+    const double alpha = degree_of(loss);
+    // Nearer to 1 rounding leaves nothing of 1 − α, with which e_n goes.
+    return 1 - alpha < 1e-15 ? 0 : fractional_contact(alpha, end).en;
   }
 };
 
@@ -66,6 +75,10 @@ double value_of(const loss::Restitution& loss) { return loss.en; }
 double value_of(const loss::LossFactor& loss) {
   support::require_not_negative("loss_factor", loss.tan_delta);
   return loss.tan_delta;
+}
+double value_of(const loss::ConversionDegree& loss) {
+  require(loss.alpha >= 0 && loss.alpha < 1, "alpha", loss.alpha, "in [0, 1)");
+  return loss.alpha;
 }
 double value_of(const loss::DampingRatio& loss) {
   support::require_not_negative("damping_ratio", loss.ratio);
@@ -103,12 +116,6 @@ double time_of(double k, double unit_k, Dimension dimension, const Impact& impac
   const double unit =
       unit_k * std::pow(impact.mass_eff, dimension.kilogram / 4.0) * std::pow(impact.velocity, dimension.metre / 4.0);
   return std::pow(k / unit, 4.0 / (dimension.metre + dimension.second));
-}
-
-/// The unit law whose first parameter is the stiffness of a scale, and its end. The fractional law's k is linear's.
-std::optional<UnitLaw<AnyLaw>> stiff_law(LawKind law, ContactEnd end, double en) {
-  if (law == kind_of<Fractional>) return unit_law(kind_of<Linear>, en, ContactEnd::force);
-  return unit_law(law, en, end);
 }
 
 }  // namespace
@@ -171,20 +178,32 @@ std::optional<double> stiffness(LawKind law, const Scale& scale, const Impact& i
 }
 
 std::optional<double> collision_time(LawKind law, ContactEnd end, const Scale& scale, double en, const Impact& impact) {
+  return collision_time(law, end, scale, en, impact, [](LawKind kind, double kept, ContactEnd by) {
+    const auto unit = unit_law(kind, kept, by);
+    return unit ? std::optional(unit->law) : std::nullopt;
+  });
+}
+
+std::optional<double> collision_time(LawKind law, ContactEnd end, const Scale& scale, double en, const Impact& impact,
+                                     const UnitLaws& unit_laws) {
   require_impact(impact);
   if (const auto* time = std::get_if<scale::CollisionTime>(&scale)) {
     require_positive("tcol", time->tcol);
     return time->tcol;
   }
-  const auto* overlap = std::get_if<scale::MaxOverlap>(&scale);
-  const auto k = stiffness(law, scale, impact);
-  if (overlap) require_positive("max_overlap", overlap->length);
-  const auto unit = overlap ? unit_law(law, en, end) : stiff_law(law, end, en);
-  if (!unit) return std::nullopt;
-  const double time =
-      overlap ? overlap->length / (impact.velocity * collide(unit->law, {1, 1}, {end}).max_overlap)
-              : time_of(*k, values(unit->law).front(), LawKind::of(unit->law).parameters().front().dimension, impact);
-  return std::isnormal(time) ? std::optional(time) : std::nullopt;
+  std::optional<double> time;
+  if (const auto* overlap = std::get_if<scale::MaxOverlap>(&scale)) {
+    require_positive("max_overlap", overlap->length);
+    if (const auto unit = unit_laws(law, en, end))
+      time = overlap->length / (impact.velocity * collide(*unit, {1, 1}, {end}).max_overlap);
+  } else {
+    const double k = stiffness(law, scale, impact).value();
+    // The fractional law's k is linear's.
+    const bool held = law == kind_of<Fractional>;
+    const auto unit = held ? unit_laws(kind_of<Linear>, en, ContactEnd::force) : unit_laws(law, en, end);
+    if (unit) time = time_of(k, values(*unit).front(), LawKind::of(*unit).parameters().front().dimension, impact);
+  }
+  return time && std::isnormal(*time) ? time : std::nullopt;
 }
 
 }  // namespace ricochet

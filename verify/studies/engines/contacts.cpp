@@ -102,16 +102,49 @@ void add_materials(std::vector<Contact>& contacts, Engine engine, LawKind law) {
   if (snippet.fidelity == calibration::Fidelity::absent) return;
   for (std::size_t i = 0; i < set.pairs.size(); ++i) {
     const calibration::PairCase& pair = set.pairs[i];
-    Encounter who{.a = grain_of(materials, pair.a),
-                  .b = {},
-                  .velocity = velocity,
-                  .tcol = pair.tcol,
-                  .grain_types = 2,
-                  .walls = {""}};
+    Encounter who = two_spheres();
+    who.a = grain_of(materials, pair.a);
+    who.b.reset();
+    who.tcol = pair.tcol;
+    who.grain_types = 2;
+    who.walls = {""};
     if (pair.b != 2) who.b = grain_of(materials, pair.b);
     contacts.push_back(contact_of(snippet, pair, snippet.gives[i], who,
                                   fmt::format(", {} and {}", set.kinds[pair.a].name, set.kinds[pair.b].name)));
   }
+}
+
+/// Beads of a range of radii and the plate in one file: what the smallest, unlike and greatest do is what the file's
+/// numbers make of the law at those sizes.
+void add_sizes(std::vector<Contact>& contacts, Engine engine, LawKind law) {
+  calibration::Materials materials = beads_and_plate(law);
+  materials.all.erase(materials.all.begin() + 1);
+  materials.all[0].greatest = 3e-3;
+  materials.pairs = {{0, 0, 0.7}, {0, 1, 0.5}};
+  const auto kept = calibration::kept_by(text(engine), law);
+  std::vector<calibration::PairResult> found;
+  for (const auto& outcome : calibration::calibrate_pairs(materials))
+    found.push_back(std::get<calibration::PairResult>(outcome));
+  const auto snippet = calibration::export_contacts(engine, calibration::contact_set(materials, found, kept));
+  if (snippet.fidelity == calibration::Fidelity::absent) return;
+  for (const auto& pair : found)
+    for (const auto& s : calibration::over_sizes(materials, pair, kept)) {
+      Encounter who = two_spheres();
+      who.a.radius = s.radius_a;
+      who.a.density = 2500;
+      who.b.reset();
+      who.tcol = s.collision.tcol;
+      who.walls = {""};
+      if (s.radius_b > 0) {
+        who.b = who.a;
+        who.b->radius = s.radius_b;
+      }
+      const calibration::PairCase sized{0,        pair.asked.b, s.law, s.collision.tcol, s.collision.en,
+                                        s.impact, s.radius_eff};
+      contacts.push_back(contact_of(snippet, sized, s.collision, who,
+                                    fmt::format(", {} mm and {}", console::shortest(1e3 * s.radius_a),
+                                                who.b ? console::shortest(1e3 * s.radius_b) + " mm" : "wall")));
+    }
 }
 
 /// Every law that the engine can be given, as `calibrate --export` writes it; at one restitution with a wall, too.
@@ -124,6 +157,7 @@ void add_exports(std::vector<Contact>& contacts, Engine engine) {
         if (en == 0.5) add_wall(contacts, engine, law, end, en);
       }
   for (const LawKind law : {kind_of<Linear>, kind_of<Tsuji>}) add_materials(contacts, engine, law);
+  for (const LawKind law : {kind_of<Linear>, kind_of<Tsuji>, kind_of<Fractional>}) add_sizes(contacts, engine, law);
 }
 
 const PeerDamping& peer(std::string_view id) {

@@ -2,6 +2,7 @@
 
 #include <ricochet/collision/reduction.hpp>
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <variant>
@@ -84,13 +85,16 @@ struct LossFactor {
 struct DampingRatio {
   double ratio;  ///< ≥ 0
 };
+struct ConversionDegree {
+  double alpha;  ///< in [0, 1)
+};
 
 }  // namespace loss
 
-using Loss = std::variant<loss::Restitution, loss::LossFactor, loss::DampingRatio>;
+using Loss = std::variant<loss::Restitution, loss::LossFactor, loss::DampingRatio, loss::ConversionDegree>;
 
-/// Has a law of that kind such a loss? A restitution has each, a loss factor the fractional, a damping ratio linear and
-/// Tsuji's.
+/// Has a law of that kind such a loss? A restitution has each, a loss factor and α the fractional, a damping ratio
+/// linear and Tsuji's.
 bool has_loss(LawKind law, const Loss& loss) noexcept;
 
 /// Below which value of the measure a contact of that law ends so: from there on the overlap never returns to zero.
@@ -98,7 +102,7 @@ bool has_loss(LawKind law, const Loss& loss) noexcept;
 double loss_limit(LawKind law, ContactEnd end, const Loss& loss) noexcept;
 
 /// The e_n that the loss comes to; exact up to the rounding of damping_ratio.hpp and fractional_contact.hpp. nullopt
-/// from `loss_limit` on, and where e_n falls below the least double or tan δ passes 1e15.
+/// from `loss_limit` on, and where e_n falls below the least double, or 1 − α below 1e-15.
 /// Throws std::invalid_argument for a value outside its domain, or a law that has no such loss.
 std::optional<double> restitution(LawKind law, ContactEnd end, const Loss& loss);
 
@@ -111,5 +115,12 @@ std::optional<double> stiffness(LawKind law, const Scale& scale, const Impact& i
 /// Kuwabara and Kono's law, 1e-10. nullopt where no double carries that law or the time.
 /// Throws std::invalid_argument for a value outside its domain.
 std::optional<double> collision_time(LawKind law, ContactEnd end, const Scale& scale, double en, const Impact& impact);
+
+/// Where unit laws come from: `unit_law`, or something quicker. nullopt where there is none.
+using UnitLaws = std::function<std::optional<AnyLaw>(LawKind law, double en, ContactEnd end)>;
+
+/// The same with unit laws of the caller's.
+std::optional<double> collision_time(LawKind law, ContactEnd end, const Scale& scale, double en, const Impact& impact,
+                                     const UnitLaws& unit_laws);
 
 }  // namespace ricochet
