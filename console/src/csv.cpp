@@ -63,9 +63,12 @@ Heading parts_of(std::string_view heading) {
   return {heading, {}};
 }
 
+/// "Drop height" is drop_height.
 bool same_name(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+  const auto plain = [](char c) -> int {
+    return c == '_' || c == '-' ? ' ' : std::tolower(static_cast<unsigned char>(c));
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return plain(x) == plain(y); });
 }
 
 /// Is it the column's name, or one of its aliases?
