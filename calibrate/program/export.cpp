@@ -13,9 +13,12 @@ namespace {
 
 using console::Json;
 
-/// The same of two grains that meet each other instead of the wall.
-Known between_grains(Known known) {
+/// What is known of two grains that meet each other instead of the wall: what `found` was found from.
+Known between_grains(Known known, const Calibration& found) {
   known.impact.mass_eff *= 0.5;
+  known.loss = loss::Restitution{found.request.target.en};
+  if (std::holds_alternative<scale::CollisionTime>(known.scale))
+    known.scale = scale::CollisionTime{found.request.target.tcol};
   if (auto* moduli = std::get_if<scale::Moduli>(&known.scale)) {
     moduli->second = moduli->first;
     moduli->radius_eff *= 0.5;
@@ -26,7 +29,7 @@ Known between_grains(Known known) {
 /// What the law of two grains is where that of a grain and the wall was found; nothing where there is none.
 std::optional<Calibration> law_between_grains(const Job& job, const Calibration& found) {
   Job grains = job;
-  grains.known = between_grains(job.known);
+  grains.known = between_grains(job.known, found);
   grains.wanted = {{LawKind::of(found.law), found.end}};
   grains.left_out.clear();
   const Report report = run(grains, {.method = Method::direct});

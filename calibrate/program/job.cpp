@@ -219,6 +219,7 @@ Job job_of(const Options& o) {
 }
 
 std::string asked_text(const Job& job) {
+  if (!job.title.empty()) return job.title;
   if (job.given) {
     std::vector<std::string> all;
     for (const auto& p : parameters(*job.given))

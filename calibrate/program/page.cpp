@@ -140,7 +140,7 @@ std::string snippets(const Report& report) {
   return html;
 }
 
-std::string head(const Job& job) {
+std::string head(const Job& job, const std::string& before) {
   return fmt::format(
       R"(<header>
 <h1>Contact laws for a measured rebound</h1>
@@ -148,12 +148,13 @@ std::string head(const Job& job) {
 <p>{}</p>
 </header>
 <main id="content">
-<h2 id="parameters">Parameters</h2>
+{}<h2 id="parameters">Parameters</h2>
 )",
       escaped(asked_text(job)), console::shortest(job.known.impact.velocity),
       console::significant(job.known.impact.mass_eff, 9),
       job.given ? "What a law of these parameters does."
-                : "Parameters of every contact law that meet this, proved by an independent numerical collision.");
+                : "Parameters of every contact law that meet this, proved by an independent numerical collision.",
+      before);
 }
 
 /// What the laws do: curves, sensitivities, time steps, and the engines' input.
@@ -176,8 +177,8 @@ std::string about_laws(const Report& report) {
 
 }  // namespace
 
-std::string page_of(const Report& report) {
-  std::string body = head(report.job);
+std::string page_of(const Report& report, const std::string& before) {
+  std::string body = head(report.job, before);
   const auto tables = tables_of(report);
   for (std::size_t i = 0; i < tables.size(); ++i)
     body += console::html_table(tables[i], {.id = fmt::format("table-{}", i + 1), .shown = 40});

@@ -158,9 +158,13 @@ Table failure_table(const Report& report) {
 
 }  // namespace
 
+std::vector<Table> law_tables(const Report& report) {
+  if (report.results.empty()) return {};
+  return {parameter_table(report), collision_table(report)};
+}
+
 std::vector<Table> tables_of(const Report& report) {
-  std::vector<Table> tables;
-  if (!report.results.empty()) tables = {parameter_table(report), collision_table(report)};
+  std::vector<Table> tables = law_tables(report);
   if (!report.results.empty() && !report.job.given) tables.push_back(check_table(report));
   if (const Table steps = step_table(report); !steps.rows().empty()) tables.push_back(steps);
   if (!report.infeasible.empty()) tables.push_back(infeasible_table(report));

@@ -73,6 +73,10 @@ TargetRows::TargetRows(std::string file, const console::CsvHead& head, const Tar
       calibrator_(calibrator) {
   for (std::size_t i = 0; i < fields.size(); ++i)
     if (columns_.has(i)) numeric_.push_back(i);
+  Asked but_velocity = defaults_.asked;
+  but_velocity.velocity.reset();
+  nothing_by_default_ = !defaults_.asked.wall && !speaks_of(but_velocity, Topic::scale) &&
+                        !speaks_of(but_velocity, Topic::loss) && !speaks_of(but_velocity, Topic::impact);
   require_topics(head.line);
   const bool any_law = columns_.has(law);
   for (const LawKind l : LawKind::all()) {
@@ -121,23 +125,31 @@ double TargetRows::number(std::size_t column, std::string_view text, Asked& own)
   return *value;
 }
 
-Asked TargetRows::numbers(const Row& row) const {
-  Asked own;
+void TargetRows::numbers(const Row& row, Asked& own) const {
   for (const std::size_t column : numeric_)
     if (!row.text[column].empty()) number(column, row.text[column], own);
-  return own;
+}
+
+Asked TargetRows::asked_by(const Row& row) const {
+  if (nothing_by_default_) {  // as of most files, whose rows are many
+    Asked asked = defaults_.asked;
+    numbers(row, asked);
+    return asked;
+  }
+  Asked own;
+  numbers(row, own);
+  return with_defaults(own, defaults_.asked);
 }
 
 std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
-  const Asked own = numbers(row);
-  row.asked = with_defaults(own, defaults_.asked);
+  row.asked = asked_by(row);
   const Reading reading = calibration::read(*row.asked, Spelling::columns);
   row.mass_eff = reading.bodies.mass_eff;
   const LawKind kind = row.text[law].empty() ? defaults_.law : law_named("law", row.text[law]);
   const ContactEnd by = row.text[end].empty() ? defaults_.end : end_named("end", row.text[end]);
   if (!kind.ends().offer(by)) throw BadInput("end", text(by), fmt::format("force with the law {}", kind.name()));
-  if (own.tcol && own.stiffness && kind != kind_of<Fractional>)
-    throw BadInput("stiffness", console::shortest(*own.stiffness),
+  if (reading.stiffness && !defaults_.asked.stiffness && kind != kind_of<Fractional>)
+    throw BadInput("stiffness", console::shortest(*reading.stiffness),
                    fmt::format("left out with tcol and the law {}; only fractional holds a k", kind.name()));
   if (!has_loss(kind, reading.known.loss))
     throw BadInput(fmt::format("{}: must be left out with the law {}; {} has one", name(reading.known.loss),
@@ -151,7 +163,8 @@ std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
 }
 
 void TargetRows::write(std::string& out, const Row& row, std::string_view status, const AnyLaw* found) const {
-  const Asked asked = row.asked.value_or(Asked{});
+  static const Asked nothing;
+  const Asked& asked = row.asked ? *row.asked : nothing;
   const Target& target = row.request.target;
   for (const auto& number :
        {row.solved ? std::optional(target.tcol) : asked.tcol, row.solved ? std::optional(target.en) : asked.en,

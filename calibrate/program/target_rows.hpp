@@ -53,13 +53,15 @@ class TargetRows {
 
   void require_topics(std::size_t line) const;
   double number(std::size_t column, std::string_view text, Asked& own) const;
-  Asked numbers(const Row& row) const;
+  void numbers(const Row& row, Asked& own) const;
+  Asked asked_by(const Row& row) const;
   std::variant<AnyLaw, Infeasible> calibrated(Row& row) const;
   void write(std::string& out, const Row& row, std::string_view status, const AnyLaw* law) const;
 
   std::string file_;
   TargetDefaults defaults_;
   console::CsvColumns columns_;
+  bool nothing_by_default_ = false;                                                 // but the velocity
   std::vector<std::size_t> numeric_;                                                // the file's columns of numbers
   std::vector<std::string> parameters_;                                             // columns of the answer
   std::array<std::array<std::size_t, Laws::most_parameters>, Laws::size> place_{};  // of a law's parameters among them

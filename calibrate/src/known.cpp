@@ -48,8 +48,9 @@ double value_of(const Scale& scale) {
 }
 
 void require_time(const Scale& scale, double tcol) {
-  support::require(
-      tcol >= least_scale && tcol <= greatest_scale, name(scale), value_of(scale),
+  if (tcol >= least_scale && tcol <= greatest_scale) return;
+  support::reject(
+      name(scale), value_of(scale),
       fmt::format("such that the collision time is {} s, not {}", range_of_scales, support::significant(tcol, 3)));
 }
 

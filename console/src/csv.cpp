@@ -63,9 +63,12 @@ Heading parts_of(std::string_view heading) {
   return {heading, {}};
 }
 
+/// "Drop height" is drop_height.
 bool same_name(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+  const auto plain = [](char c) -> int {
+    return c == '_' || c == '-' ? ' ' : std::tolower(static_cast<unsigned char>(c));
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return plain(x) == plain(y); });
 }
 
 /// Is it the column's name, or one of its aliases?
@@ -119,7 +122,7 @@ std::optional<CsvHead> take_csv_head(LineBlocks& source, LineBlocks::Block& bloc
 
 CsvColumns::CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted,
                        Unknown unknown)
-    : accepted_(accepted), separator_(separator_of(head.text)), exponents_(accepted.size()) {
+    : accepted_(accepted), separator_(separator_of(head.text)), exponents_(accepted.size()), stated_(accepted.size()) {
   try {
     std::array<std::string_view, most> headings;
     const auto count = fields_of(head.text, headings);
@@ -158,6 +161,7 @@ std::optional<std::size_t> CsvColumns::take(std::string_view heading, Unknown un
   const auto column = static_cast<std::size_t>(known - accepted_.begin());
   if (has(column)) throw BadInput(fmt::format("column = {}: must be given once", known->name));
   exponents_[column] = exponent;
+  stated_[column] = !given.unit.empty();
   return column;
 }
 

@@ -77,11 +77,11 @@ enum class Unknown {
 /// What a file may look like is decided here alone. Fields stand between commas, or between semicolons or tabs where
 /// the head does; there a number may have a decimal comma. Blanks around a field and a pair of double quotes are taken
 /// off; a quoted field may hold separators, but neither quotes nor line ends. A heading is a name as `CsvColumn` has
-/// it, in letters of any case, with a unit after it in brackets or parentheses ("v [mm/s]", "Velocity (m/s)"): another
+/// it, in letters of any case and with blanks or dashes for its underscores, with a unit after it in brackets or parentheses ("v [mm/s]", "Velocity (m/s)"): another
 /// decimal multiple of the column's own is converted exactly, without one the numbers are in the column's own.
 class CsvColumns {
  public:
-  static constexpr std::size_t most = 128;  ///< columns of a file
+  static constexpr std::size_t most = 64;  ///< columns of a file
 
   /// `accepted` must outlive it. Throws BadInput "file:line: column = x: must be one of …" where a column is none of
   /// these, comes twice, has no known unit or is missing.
@@ -91,6 +91,8 @@ class CsvColumns {
   /// The headings of columns that are not read, as they stand.
   const std::vector<std::string>& ignored() const { return ignored_; }
   bool has(std::size_t column) const { return exponents_[column].has_value(); }
+  /// Has the head a unit for it?
+  bool states_unit(std::size_t column) const { return stated_[column]; }
 
   /// The fields of one row by the order of `accepted`, which is the size of `fields`; one whose column the file does
   /// not have is empty. Throws BadInput "fields = 3: must be 2, one a column", without a place.
@@ -109,6 +111,7 @@ class CsvColumns {
   std::vector<std::optional<std::size_t>> order_;  // the file's columns, without those that are ignored
   std::vector<std::string> ignored_;
   std::vector<std::optional<int>> exponents_;  // of ten, from the file's unit to the column's, where it has the column
+  std::vector<bool> stated_;                   // of each accepted column: has it a unit in the head?
 };
 
 /// A CSV file row by row. What is wrong with it is BadInput that begins "file:line: ".
@@ -122,6 +125,12 @@ class CsvReader {
   bool has(std::size_t column) const { return columns_ && columns_->has(column); }
   /// The headings of columns that are not read.
   std::vector<std::string> ignored() const { return columns_ ? columns_->ignored() : std::vector<std::string>(); }
+
+  bool states_unit(std::size_t column) const { return columns_ && columns_->states_unit(column); }
+  /// Has the file a head?
+  bool any() const { return columns_.has_value(); }
+  /// Number of the line that was read last.
+  std::size_t line() const { return line_; }
 
   /// To the next row; false after the last, and where there is not even a head.
   bool next();

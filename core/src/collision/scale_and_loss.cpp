@@ -39,10 +39,7 @@ template <class Law>
 struct LossOf<Law, loss::Restitution> {
   static constexpr bool known = true;
   static double limit(ContactEnd) { return infinity; }
-  static double en(const loss::Restitution& loss, ContactEnd) {
-    require(loss.en > 0 && loss.en <= 1, "en", loss.en, "in (0, 1]");
-    return loss.en;
-  }
+  static double en(const loss::Restitution& loss, ContactEnd) { return loss.en; }
 };
 
 template <class Form>
@@ -71,7 +68,10 @@ struct LossOf<Fractional, Measure> {
   }
 };
 
-double value_of(const loss::Restitution& loss) { return loss.en; }
+double value_of(const loss::Restitution& loss) {
+  require(loss.en > 0 && loss.en <= 1, "en", loss.en, "in (0, 1]");
+  return loss.en;
+}
 double value_of(const loss::LossFactor& loss) {
   support::require_not_negative("loss_factor", loss.tan_delta);
   return loss.tan_delta;
@@ -159,11 +159,12 @@ double loss_limit(LawKind law, ContactEnd end, const Loss& loss) noexcept {
 }
 
 std::optional<double> restitution(LawKind law, ContactEnd end, const Loss& loss) {
+  if (const auto* kept = std::get_if<loss::Restitution>(&loss)) return value_of(*kept);
   const double value = std::visit([](const auto& measure) { return value_of(measure); }, loss);
   if (!has_loss(law, loss))
     throw std::invalid_argument("loss: must be a restitution for the law " + std::string(law.name()));
-  if (!(value < loss_limit(law, end, loss))) return std::nullopt;
-  const double en = with_loss(law, loss, 0.0, [&](auto of, const auto& measure) { return of.en(measure, end); });
+  const double en = with_loss(
+      law, loss, 0.0, [&](auto of, const auto& measure) { return value < of.limit(end) ? of.en(measure, end) : 0; });
   return en > 0 ? std::optional(en) : std::nullopt;
 }
 
