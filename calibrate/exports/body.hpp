@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 namespace ricochet::calibration {
 
-/// What one engine makes of a law, before it is framed by comments.
+/// What one engine makes of the contacts, before it is framed by comments.
 struct Body {
   Fidelity fidelity = Fidelity::absent;
   std::vector<std::string> remarks = {};
@@ -16,11 +18,11 @@ struct Body {
   std::optional<ContactEnd> other_end = {};
 };
 
-Body write_liggghts(const ExportCase& what);
-Body write_lammps(const ExportCase& what);
-Body write_yade(const ExportCase& what);
-Body write_mercurydpm(const ExportCase& what);
-Body write_mfix(const ExportCase& what);
+Body write_liggghts(const ContactSet& set);
+Body write_lammps(const ContactSet& set);
+Body write_yade(const ContactSet& set);
+Body write_mercurydpm(const ContactSet& set);
+Body write_mfix(const ContactSet& set);
 
 using support::shortest;
 
@@ -34,22 +36,46 @@ Body no_such_law(std::string_view engine, std::string_view law);
 Body no_memory(std::string_view engine);
 /// For a law that is scaled by the grain's radius, when none was given.
 Body needs_radius();
+/// For an engine whose materials make the stiffness, where no materials make those of these pairs.
+Body needs_materials(std::string_view engine);
 /// Remarks: what the numbers are tied to, and what becomes of other sizes.
 std::string tied_to_pair();
 std::string keeps_restitution();
 
+bool knows_radii(const ContactSet& set);
+/// The contact between bodies of these kinds, in either order; null where none was given.
+const PairCase* find_pair(const ContactSet& set, std::size_t a, std::size_t b);
+/// The same, and where none was given, as for two walls, any in which one of both takes part: engines want whole
+/// matrices.
+const PairCase& pair_or_stand_in(const ContactSet& set, std::size_t a, std::size_t b);
+/// The kinds that are walls, as places.
+std::vector<std::size_t> walls_of(const ContactSet& set);
+/// "" of the only kind of wall, "_steel" where there are several.
+std::string suffix_of(const ContactSet& set, std::size_t kind);
+
+/// Two things in series, x_i + x_j = 1/value(pair): what each kind contributes, 1/(2 value) of a pair of its own, and
+/// for a wall what the first grain's contact with it leaves. nullopt where no such numbers >= 0 give every pair's value
+/// to 1e-9. A wall that gives way by less than 1e-9 of the grain counts as rigid, 0.
+std::optional<std::vector<double>> in_series(const ContactSet& set,
+                                             const std::function<double(const PairCase&)>& value);
+
+/// 1/part of each; a rigid one gets 10¹² times the first one's.
+std::vector<double> members(const std::vector<double>& parts);
+
+template <class Law>
+const Law& law_of(const PairCase& pair) {
+  return std::get<Law>(pair.law);
+}
+
 /// 3k/(4√R) [Pa]: the effective modulus E* of Hertz' contact with kζ^{3/2}, k = (4/3)E*√R.
 double effective_modulus(double hertz_stiffness, double radius_eff);
-/// E of two equal bodies with Poisson's ratio ν: E* = E/(2(1−ν²)).
-double youngs_modulus(double effective_modulus, double poisson);
+/// E [Pa] of each kind, from E* of its pairs by 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; nullopt where none give every pair.
+std::optional<std::vector<double>> youngs_moduli(const ContactSet& set);
 
 /// The restitution that the form −ln e/√(π²+ln²e) turns into `damping_ratio`; nothing where that is ≥ 1.
 std::optional<double> logarithmic_restitution(double damping_ratio);
 
 /// Makes the body `close` when the engine ends contacts otherwise than asked, with the remark that says so.
-void end_otherwise(Body& body, const ExportCase& what, ContactEnd engine_end, std::string remark);
-
-/// Poisson's ratio that snippets write where an engine wants one: it has no influence on these normal forces.
-constexpr double poisson = 0.3;
+void end_otherwise(Body& body, const ContactSet& set, ContactEnd engine_end, std::string remark);
 
 }  // namespace ricochet::calibration

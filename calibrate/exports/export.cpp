@@ -1,12 +1,13 @@
 #include "body.hpp"
 
-#include <calibrate/calibration.hpp>
+#include <calibrate/advice.hpp>
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/support/require.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace ricochet::calibration {
 
@@ -15,26 +16,46 @@ namespace {
 struct Language {
   Engine engine;
   std::string_view name, version, comment;
-  Body (*write)(const ExportCase&);
+  Body (*write)(const ContactSet&);
+  std::string_view step_before, step_behind;  ///< what sets the time step, around its number; empty: not known
 };
 
 constexpr std::array<Language, 5> languages{{
-    {Engine::liggghts, "liggghts", "LIGGGHTS 3.8.0", "# ", write_liggghts},
-    {Engine::lammps, "lammps", "LAMMPS 29 Sep 2021 Update 2", "# ", write_lammps},
-    {Engine::yade, "yade", "Yade 2023.02a", "# ", write_yade},
-    {Engine::mercurydpm, "mercurydpm", "MercuryDPM, revision of July 2024", "// ", write_mercurydpm},
-    {Engine::mfix, "mfix", "MFiX 25.2.1", "! ", write_mfix},
+    {Engine::liggghts, "liggghts", "LIGGGHTS 3.8.0", "# ", write_liggghts, "timestep ", ""},
+    {Engine::lammps, "lammps", "LAMMPS 29 Sep 2021 and 4 Feb 2025", "# ", write_lammps, "timestep ", ""},
+    {Engine::yade, "yade", "Yade 2023.02a", "# ", write_yade, "O.dt = ", ""},
+    {Engine::mercurydpm, "mercurydpm", "MercuryDPM, revision of July 2024", "// ", write_mercurydpm, "setTimeStep(",
+     ");"},
+    {Engine::mfix, "mfix", "MFiX 25.2.1", "! ", write_mfix, "", ""},
 }};
 
 const Language& language(Engine engine) { return languages[std::size_t(engine)]; }
 
-void check(const ExportCase& what) {
-  support::require_positive("tcol", what.tcol);
-  support::require(what.en > 0 && what.en <= 1, "en", what.en, "in (0, 1]");
-  support::require_positive("velocity", what.impact.velocity);
-  support::require_positive("mass_eff", what.impact.mass_eff);
-  if (what.radius_eff) support::require_positive("radius_eff", *what.radius_eff);
-  if (what.density) support::require_positive("density", *what.density);
+void check(const PairCase& pair) {
+  support::require_positive("tcol", pair.tcol);
+  support::require(pair.en > 0 && pair.en <= 1, "en", pair.en, "in (0, 1]");
+  support::require_positive("velocity", pair.impact.velocity);
+  support::require_positive("mass_eff", pair.impact.mass_eff);
+  if (pair.radius_eff) support::require_positive("radius_eff", *pair.radius_eff);
+}
+
+void check(const ContactSet& set) {
+  if (set.pairs.empty()) throw std::invalid_argument("a set of contacts needs at least one");
+  for (const BodyKind& kind : set.kinds)
+    if (kind.density) support::require_positive("density", *kind.density);
+  for (const PairCase& pair : set.pairs) {
+    check(pair);
+    if (pair.law.index() != set.pairs.front().law.index())
+      throw std::invalid_argument("the contacts of a set must have laws of one kind");
+    if (std::max(pair.a, pair.b) >= set.kinds.size() || set.kinds[pair.a].wall)
+      throw std::invalid_argument("a contact must be of a grain with a grain or wall of the set");
+  }
+}
+
+ContactSet of_one_pair(const ExportCase& what) {
+  return {what.end,
+          {{.name = "grain", .density = what.density}},
+          {{0, 0, what.law, what.tcol, what.en, what.impact, what.radius_eff}}};
 }
 
 /// "k = 7316 kg/s^2, c = 0.098 kg/s"
@@ -65,27 +86,110 @@ void append_comment(std::string& text, std::string_view mark, std::string_view s
   }
 }
 
-std::string heading(const Language& in, const ExportCase& what) {
+/// "Target" of the only pair, "Grain, wall" of one among several.
+std::string title_of(const ContactSet& set, const PairCase& pair) {
+  return set.kinds.size() == 1 ? "Target" : fmt::format("{}, {}", set.kinds[pair.a].name, set.kinds[pair.b].name);
+}
+
+std::string heading(const Language& in, const ContactSet& set) {
   std::string lines;
   append_comment(lines, in.comment,
-                 fmt::format("Ricochet: {} law, contact ended by {}, for {}, SI units", name(what.law), text(what.end),
-                             in.version));
-  std::string pair =
-      fmt::format("Target: collision time {} s, restitution {} at {} m/s, effective mass {} kg", shortest(what.tcol),
-                  shortest(what.en), shortest(what.impact.velocity), shortest(what.impact.mass_eff));
-  if (what.radius_eff) pair += fmt::format(", effective radius {} m", shortest(*what.radius_eff));
-  append_comment(lines, in.comment, pair);
-  append_comment(lines, in.comment, fmt::format("Law: {}", in_words(what.law)));
+                 fmt::format("Ricochet: {} law, contact ended by {}, for {}, SI units", name(set.pairs.front().law),
+                             text(set.end), in.version));
+  for (const PairCase& pair : set.pairs) {
+    std::string target = fmt::format("{}: collision time {} s, restitution {} at {} m/s, effective mass {} kg",
+                                     title_of(set, pair), shortest(pair.tcol), shortest(pair.en),
+                                     shortest(pair.impact.velocity), shortest(pair.impact.mass_eff));
+    if (pair.radius_eff) target += fmt::format(", effective radius {} m", shortest(*pair.radius_eff));
+    append_comment(lines, in.comment, target);
+    append_comment(lines, in.comment, fmt::format("Law: {}", in_words(pair.law)));
+  }
+  for (const std::string& note : set.notes) append_comment(lines, in.comment, note);
   return lines;
 }
 
-std::string what_it_gives(const Collision& gives, const ExportCase& what) {
+std::string what_it_gives(const Collision& gives, const PairCase& pair) {
   if (!gives.separated()) return "GIVES INSTEAD: a contact that never separates";
-  return fmt::format("GIVES INSTEAD: collision time {} s, restitution {}", beside(gives.tcol, what.tcol),
-                     beside(gives.en, what.en));
+  return fmt::format("GIVES INSTEAD: collision time {} s, restitution {}", beside(gives.tcol, pair.tcol),
+                     beside(gives.en, pair.en));
+}
+
+/// What comes out where the engine ends contacts otherwise; a contact that then never separates is not written.
+void tell_other_end(const Language& in, const ContactSet& set, Body& body, Snippet& snippet) {
+  for (std::size_t i = 0; i < set.pairs.size(); ++i) {
+    const std::string who = set.kinds.size() == 1 ? "" : title_of(set, set.pairs[i]) + " ";
+    append_comment(snippet.text, in.comment, who + what_it_gives(snippet.gives[i], set.pairs[i]));
+    if (snippet.gives[i].separated()) continue;
+    snippet.fidelity = Fidelity::absent;
+    body.input.clear();
+  }
+}
+
+/// Steps of one pair: the time that they divide, and the error of e_n that each number of them leaves.
+struct PairSteps {
+  double tcol;
+  std::vector<StepError> errors;
+};
+
+/// As the engine steps the pair, towards what its law gives.
+PairSteps steps_of(const ContactSet& set, const PairCase& pair, const Collision& gives) {
+  const ContactEnd end = gives.status == CollisionStatus::ended_by_force ? ContactEnd::force : ContactEnd::overlap;
+  const bool located = std::holds_alternative<Fractional>(pair.law);
+  return {end == set.end ? pair.tcol : gives.tcol, step_errors(pair.law, end, {gives.tcol, gives.en, pair.impact},
+                                                               located ? Stepping::located : Stepping::half_step)};
+}
+
+/// The longest step that keeps the e_n of every pair to `bound`; nullopt where there is none.
+std::optional<double> step_for(const std::vector<PairSteps>& pairs, double bound) {
+  std::optional<double> least;
+  for (const PairSteps& pair : pairs) {
+    const auto steps = steps_for(pair.errors, bound);
+    if (!steps) return std::nullopt;
+    least = std::min(least.value_or(pair.tcol), pair.tcol / *steps);
+  }
+  return least;
+}
+
+/// The time step as comment and command.
+void append_step(const Language& in, const ContactSet& set, Snippet& snippet) {
+  if (in.step_before.empty()) {
+    append_comment(
+        snippet.text, in.comment,
+        "Time step: this engine's stepping was not measured here; see how its own choice changes the rebound.");
+    return;
+  }
+  std::vector<PairSteps> pairs;
+  for (std::size_t i = 0; i < set.pairs.size(); ++i) pairs.push_back(steps_of(set, set.pairs[i], snippet.gives[i]));
+  const auto end = snippet.gives.front().status;
+  for (const PairCase& other : set.other_sizes) {
+    const Collision gives =
+        collide(other.law, other.impact,
+                {.end = end == CollisionStatus::ended_by_force ? ContactEnd::force : ContactEnd::overlap});
+    if (gives.separated()) pairs.push_back(steps_of(set, other, gives));
+  }
+  // As a share of the collision time where there is only one.
+  const bool one = std::all_of(pairs.begin(), pairs.end(), [&](const PairSteps& p) { return p.tcol == pairs[0].tcol; });
+  std::string told;
+  std::optional<double> finest;
+  for (const double bound : step_bounds)
+    if (const auto step = step_for(pairs, bound)) {
+      told += fmt::format("{}{} s{}{} to {} %", finest ? ", " : "", shortest(*step),
+                          one ? fmt::format(" (tcol/{})", rounded(pairs[0].tcol / *step)) : "",
+                          finest ? "" : " keeps the restitution", shortest(100 * bound));
+      finest = step;
+    }
+  if (!finest) return;
+  append_comment(snippet.text, in.comment,
+                 fmt::format("Time step: {}, wherever in a step the first touch falls.", told));
+  snippet.text += fmt::format("{}{}{}\n", in.step_before, shortest(*finest), in.step_behind);
 }
 
 }  // namespace
+
+bool runs(Engine engine, const ExportCase& what) {
+  const Body body = language(engine).write(of_one_pair(what));
+  return body.fidelity != Fidelity::absent && !body.other_end;
+}
 
 std::span<const Engine> engines() noexcept {
   static constexpr std::array all{Engine::liggghts, Engine::lammps, Engine::yade, Engine::mercurydpm, Engine::mfix};
@@ -106,24 +210,22 @@ std::string_view text(Fidelity fidelity) noexcept {
   return words[std::size_t(fidelity)];
 }
 
-Snippet export_law(Engine engine, const ExportCase& what) {
-  check(what);
+Snippet export_contacts(Engine engine, const ContactSet& set) {
+  check(set);
   const Language& in = language(engine);
-  Body body = in.write(what);
-  Snippet snippet{engine, what.law, what.end, body.fidelity, {}, body.remarks, heading(in, what)};
+  Body body = in.write(set);
+  Snippet snippet{engine, set.pairs.front().law, set.end, body.fidelity, {}, body.remarks, heading(in, set)};
   if (body.fidelity != Fidelity::absent)
-    snippet.gives = collide(what.law, what.impact, {.end = body.other_end.value_or(what.end)});
-  if (body.other_end) {
-    append_comment(snippet.text, in.comment, what_it_gives(snippet.gives, what));
-    if (!snippet.gives.separated()) {
-      snippet.fidelity = Fidelity::absent;
-      body.input.clear();
-    }
-  }
+    for (const PairCase& pair : set.pairs)
+      snippet.gives.push_back(collide(pair.law, pair.impact, {.end = body.other_end.value_or(set.end)}));
+  if (body.other_end) tell_other_end(in, set, body, snippet);
   for (const std::string& remark : body.remarks) append_comment(snippet.text, in.comment, remark);
   snippet.text += body.input;
+  if (snippet.fidelity != Fidelity::absent) append_step(in, set, snippet);
   return snippet;
 }
+
+Snippet export_law(Engine engine, const ExportCase& what) { return export_contacts(engine, of_one_pair(what)); }
 
 std::string comment(Engine engine, std::string_view sentence) {
   std::string text;
@@ -167,6 +269,14 @@ Body needs_radius() {
       "instead of --mass-eff.");
 }
 
+Body needs_materials(std::string_view engine) {
+  return absent(
+      fmt::format("NOT WRITTEN: {} makes a pair's stiffness of both bodies' material, and no materials make "
+                  "those of all these pairs. Give moduli or stiffnesses of materials, or other collision "
+                  "times.",
+                  engine));
+}
+
 std::string tied_to_pair() {
   return "The numbers hold for pairs of this effective mass and radius; other sizes get another law.";
 }
@@ -175,19 +285,79 @@ std::string keeps_restitution() {
   return "Pairs of other masses and radii keep the restitution; their collision time follows from the same material.";
 }
 
+bool knows_radii(const ContactSet& set) {
+  return std::all_of(set.pairs.begin(), set.pairs.end(), [](const PairCase& p) { return p.radius_eff.has_value(); });
+}
+
+const PairCase* find_pair(const ContactSet& set, std::size_t a, std::size_t b) {
+  for (const PairCase& pair : set.pairs)
+    if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) return &pair;
+  return nullptr;
+}
+
+const PairCase& pair_or_stand_in(const ContactSet& set, std::size_t a, std::size_t b) {
+  if (const PairCase* pair = find_pair(set, a, b)) return *pair;
+  for (const PairCase& pair : set.pairs)
+    if (pair.a == a || pair.b == a || pair.a == b || pair.b == b) return pair;
+  return set.pairs.front();
+}
+
+std::vector<std::size_t> walls_of(const ContactSet& set) {
+  std::vector<std::size_t> walls;
+  for (std::size_t i = 0; i < set.kinds.size(); ++i)
+    if (set.kinds[i].wall) walls.push_back(i);
+  return walls;
+}
+
+std::string suffix_of(const ContactSet& set, std::size_t kind) {
+  return walls_of(set).size() == 1 ? "" : "_" + set.kinds[kind].name;
+}
+
+std::optional<std::vector<double>> in_series(const ContactSet& set,
+                                             const std::function<double(const PairCase&)>& value) {
+  constexpr double same = 1e-9;
+  std::vector<double> parts(set.kinds.size(), 0);
+  for (const PairCase& pair : set.pairs)
+    if (pair.a == pair.b) parts[pair.a] = 0.5 / value(pair);
+  for (const std::size_t wall : walls_of(set))
+    for (const PairCase& pair : set.pairs)
+      if (pair.b == wall && parts[wall] == 0 && parts[pair.a] > 0) {
+        const double left = 1 / value(pair) - parts[pair.a];
+        if (left < -same * parts[pair.a]) return std::nullopt;
+        parts[wall] = left < same * parts[pair.a] ? 0 : left;
+      }
+  for (const PairCase& pair : set.pairs)
+    if (!(std::abs((parts[pair.a] + parts[pair.b]) * value(pair) - 1) <= same)) return std::nullopt;
+  return parts;
+}
+
 double effective_modulus(double hertz_stiffness, double radius_eff) {
   return 0.75 * hertz_stiffness / std::sqrt(radius_eff);
 }
 
-double youngs_modulus(double modulus, double nu) { return 2 * (1 - nu * nu) * modulus; }
+std::vector<double> members(const std::vector<double>& parts) {
+  constexpr double rigid = 1e12;
+  std::vector<double> all;
+  for (const double part : parts) all.push_back(part > 0 ? 1 / part : rigid / parts.front());
+  return all;
+}
+
+std::optional<std::vector<double>> youngs_moduli(const ContactSet& set) {
+  const auto parts = in_series(
+      set, [](const PairCase& pair) { return effective_modulus(values(pair.law).front(), *pair.radius_eff); });
+  if (!parts) return std::nullopt;
+  std::vector<double> moduli = members(*parts);
+  for (std::size_t i = 0; i < moduli.size(); ++i) moduli[i] *= 1 - set.kinds[i].poisson * set.kinds[i].poisson;
+  return moduli;
+}
 
 std::optional<double> logarithmic_restitution(double damping_ratio) {
   if (damping_ratio >= 1) return std::nullopt;
   return restitution_of_damping(damping_ratio, ContactEnd::overlap);
 }
 
-void end_otherwise(Body& body, const ExportCase& what, ContactEnd engine_end, std::string remark) {
-  if (what.end == engine_end) return;
+void end_otherwise(Body& body, const ContactSet& set, ContactEnd engine_end, std::string remark) {
+  if (set.end == engine_end) return;
   body.fidelity = Fidelity::close;
   body.other_end = engine_end;
   body.remarks.insert(body.remarks.begin(), std::move(remark));

@@ -3,6 +3,7 @@
 #include <ricochet/collision/peer_damping.hpp>
 #include <ricochet/support/root.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ricochet::calibration {
@@ -19,69 +20,156 @@ std::optional<double> polynomial_argument(double eta) {
   return support::root([=](double x) { return marshall_polynomial(x) - eta; }, low, high);
 }
 
-struct Lammps {
-  const ExportCase& what;
+/// Where damping coeff_restitution exists: pull request 4068 of lammps/lammps, first in the release of 27 June 2024.
+constexpr int knows_restitution = 20240627;
+/// In this year the polynomial of damping tsuji was multiplied by sqrt(2), pull request 5113.
+constexpr int polynomial_changed = 20260101;
 
-  /// `normal` with its two numbers, stiffness and damping, and the kind of damping that the second one sets.
-  std::string pair(std::string_view normal, double stiffness, double strength, std::string_view damping) const {
-    return fmt::format(R"(pair_style granular
-pair_coeff * * {} {} {} damping {} tangential linear_nohistory 0.0 0.0{}
-)",
-                       normal, shortest(stiffness), shortest(strength), damping,
-                       what.end == ContactEnd::force ? " limit_damping" : "");
+struct Lammps {
+  const ContactSet& set;
+
+  /// What follows pair_coeff or wall/gran granular: `normal` with its two numbers, stiffness and damping, and the kind
+  /// of damping that the second one sets.
+  std::string contact(std::string_view normal, double stiffness, double strength, std::string_view damping) const {
+    return fmt::format("{} {} {} damping {} tangential linear_nohistory 0.0 0.0{}", normal, shortest(stiffness),
+                       shortest(strength), damping, set.end == ContactEnd::force ? " limit_damping" : "");
   }
 
-  static std::string setting() {
-    return "Needs atom_style sphere, newton off and comm_modify vel yes. The tangential part is frictionless; put "
-           "yours in its place. limit_damping clips the attractive part of the force (contact ended by force).";
+  /// The command that gives the pair, up to its contact.
+  std::string before(const PairCase& pair) const {
+    if (!set.kinds[pair.b].wall)
+      return set.kinds.size() - walls_of(set).size() == 1
+                 ? "pair_coeff * * "
+                 : fmt::format("pair_coeff {} {} ", std::min(pair.a, pair.b) + 1, std::max(pair.a, pair.b) + 1);
+    return fmt::format("fix {} {} wall/gran granular ", fix_of(pair), group_of(pair.a));
+  }
+  /// What stands behind it: where a wall is.
+  std::string behind(const PairCase& pair) const {
+    return set.kinds[pair.b].wall ? fmt::format(" ${{ricochet_wall{}}}", suffix_of(set, pair.b)) : "";
+  }
+  bool one_grain() const { return set.kinds.size() - walls_of(set).size() == 1; }
+  std::string group_of(std::size_t grain) const { return one_grain() ? "all" : "ricochet_" + set.kinds[grain].name; }
+  std::string fix_of(const PairCase& pair) const {
+    return fmt::format("ricochet_wall{}{}", suffix_of(set, pair.b), one_grain() ? "" : "_" + set.kinds[pair.a].name);
+  }
+
+  /// command(pair) of every pair of grains, then of every wall.
+  template <class F>
+  std::string all(const F& command) const {
+    std::string text = "pair_style granular\n";
+    for (const PairCase& pair : set.pairs)
+      if (!set.kinds[pair.b].wall) text += command(pair);
+    for (const std::size_t wall : walls_of(set))
+      text += fmt::format("variable ricochet_wall{} index \"zplane 0.0 NULL\"\n", suffix_of(set, wall));
+    for (std::size_t i = 0; !walls_of(set).empty() && !one_grain() && i < set.kinds.size(); ++i)
+      if (!set.kinds[i].wall) text += fmt::format("group {} type {}\n", group_of(i), i + 1);
+    for (const PairCase& pair : set.pairs)
+      if (set.kinds[pair.b].wall) text += command(pair);
+    return text;
+  }
+  /// The same in every version.
+  template <class F>
+  std::string each(const F& contact_of) const {
+    return all(
+        [&](const PairCase& pair) { return fmt::format("{}{}{}\n", before(pair), contact_of(pair), behind(pair)); });
+  }
+
+  std::string setting() const {
+    std::string text;
+    for (std::size_t i = 0; !one_grain() && i < set.kinds.size(); ++i)
+      if (!set.kinds[i].wall) text += fmt::format("{}type {} is {}", i ? ", " : "Atom ", i + 1, set.kinds[i].name);
+    if (!text.empty()) text += ". ";
+    if (!walls_of(set).empty()) {
+      text += "A variable that is set before keeps its value: set ricochet_wall as you need it. ";
+      if (!one_grain())
+        text += "A group holds the grains that there are: include after they are made, and pour into these groups. ";
+    }
+    return text +
+           "Needs atom_style sphere, newton off and comm_modify vel yes. The tangential part is frictionless; "
+           "put yours in its place. limit_damping clips the attractive part of the force (contact ended by "
+           "force).";
   }
 
   Body operator()(const Linear& law) const {
+    if (!set.other_sizes.empty()) return by_ratio();
     return {.fidelity = Fidelity::exact,
             .remarks = {setting(),
                         fmt::format("damping velocity takes c in kg/s as it is, for every pair. The styles gran/hooke "
                                     "and gran/hooke/history take it per effective mass instead: gamma_n = {} 1/s here.",
-                                    shortest(law.c() / what.impact.mass_eff))},
-            .input = pair("hooke", law.k(), law.c(), "velocity")};
+                                    shortest(law.c() / set.pairs.front().impact.mass_eff))},
+            .input = each([this](const PairCase& p) {
+              return contact("hooke", law_of<Linear>(p).k(), law_of<Linear>(p).c(), "velocity");
+            })};
   }
 
-  Body operator()(const KuwabaraKono& law) const {
-    if (!what.radius_eff) return needs_radius();
-    const double root = std::sqrt(*what.radius_eff);
+  Body operator()(const KuwabaraKono&) const {
+    if (!knows_radii(set)) return needs_radius();
     return {.fidelity = Fidelity::exact,
             .remarks = {setting(),
                         "hertz multiplies its stiffness by the contact radius sqrt(R overlap), damping "
                         "viscoelastic by that and the effective mass: k/sqrt(R), c/(m sqrt(R)).",
                         tied_to_pair()},
-            .input = pair("hertz", law.k() / root, law.c() / (what.impact.mass_eff * root), "viscoelastic")};
+            .input = each([this](const PairCase& p) {
+              const auto& law = law_of<KuwabaraKono>(p);
+              const double root = std::sqrt(*p.radius_eff);
+              return contact("hertz", law.k() / root, law.c() / (p.impact.mass_eff * root), "viscoelastic");
+            })};
   }
 
-  Body operator()(const Tsuji& law) const {
-    if (!what.radius_eff) return needs_radius();
-    const double stiffness = law.k() / std::sqrt(*what.radius_eff);
-    if (law.c() == 0)
-      return {.fidelity = Fidelity::exact, .remarks = {setting()}, .input = pair("hertz", stiffness, 0, "velocity")};
-    const double eta = law.c() / std::sqrt(what.impact.mass_eff * law.k());
-    const auto argument = polynomial_argument(eta);
-    if (!argument)
-      return absent(fmt::format(
-          "NOT WRITTEN: the polynomial of damping tsuji never falls below 0.0003, this law needs {}.", rounded(eta)));
-    Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(),
-                          fmt::format("damping tsuji turns its number into c/sqrt(m k) by a polynomial that was fitted "
-                                      "for the particle's mass and is applied to the pair's: asked for {} it would not "
-                                      "give it. The number below is the argument at which the polynomial has this "
-                                      "law's value, not a restitution.",
-                                      rounded(what.en)),
-                          keeps_restitution()},
-              .input = pair("hertz", stiffness, *argument, "tsuji")};
-    if (const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff)))
-      body.remarks.push_back(
-          fmt::format("LAMMPS since 2024 has damping coeff_restitution; write that with {} in place "
-                      "of tsuji with its number.",
-                      shortest(*en)));
+  /// Laws whose damping is a share of √(mK): linear, K = k, and Tsuji's, K = k√ζ. `normal` is LAMMPS's word, and the
+  /// stiffness what it multiplies by the overlap or √(R ζ³).
+  struct Ratio {
+    std::string_view normal;
+    double stiffness;
+    double eta;   ///< c/√(mk), what the polynomial has to give
+    double beta;  ///< the damping ratio
+  };
+  static Ratio ratio_of(const PairCase& p) {
+    const double m = p.impact.mass_eff;
+    if (const auto* law = std::get_if<Linear>(&p.law))
+      return {"hooke", law->k(), law->c() / std::sqrt(m * law->k()), damping_ratio(*law, m)};
+    const auto& law = law_of<Tsuji>(p);
+    return {"hertz", law.k() / std::sqrt(*p.radius_eff), law.c() / std::sqrt(m * law.k()), damping_ratio(law, m)};
+  }
+
+  /// One contact by version: through a restitution where that exists, through the polynomial before.
+  std::string by_version(const PairCase& p) const {
+    const auto [normal, stiffness, eta, beta] = ratio_of(p);
+    if (eta == 0) return fmt::format("{}{}{}\n", before(p), contact(normal, stiffness, 0, "velocity"), behind(p));
+    const auto en = logarithmic_restitution(beta);
+    const std::string since =
+        en ? "\"" + before(p) + contact(normal, stiffness, *en, "coeff_restitution") + behind(p) + "\""
+           : "\"print 'Ricochet: no damping of this version is that strong for sure'\" quit";
+    const std::string until = before(p) + contact(normal, stiffness, *polynomial_argument(eta), "tsuji") + behind(p);
+    return fmt::format("if \"$(version) >= {}\" then &\n  {} &\nelse &\n  \"{}\"\n",
+                       en ? knows_restitution : polynomial_changed, since, until);
+  }
+
+  Body by_ratio() const {
+    bool elastic = true;
+    for (const PairCase& p : set.pairs) {
+      const double eta = ratio_of(p).eta;
+      elastic = elastic && eta == 0;
+      if (eta > 0 && !polynomial_argument(eta))
+        return absent(fmt::format(
+            "NOT WRITTEN: the polynomial of damping tsuji never falls below 0.0003, this law needs {}.", rounded(eta)));
+    }
+    Body body{.fidelity = Fidelity::exact, .remarks = {setting()}, .input = all([this](const PairCase& p) {
+                                                                     return by_version(p);
+                                                                   })};
+    if (elastic) return body;
+    body.remarks.push_back(fmt::format(
+        "From version {} on damping coeff_restitution takes a restitution for a force that may attract; the number "
+        "below is the one whose damping this law has. Before, damping tsuji turns its number into c/sqrt(m k) by a "
+        "polynomial that was fitted for the particle's mass and is applied to the pair's: asked for {} it would not "
+        "give it. The number below is the argument at which the polynomial has this law's value, not a restitution; "
+        "from 2026 on the polynomial is multiplied by sqrt(2).",
+        knows_restitution, rounded(set.pairs.front().en)));
+    body.remarks.push_back(keeps_restitution());
     return body;
   }
+
+  Body operator()(const Tsuji&) const { return knows_radii(set) ? by_ratio() : needs_radius(); }
 
   Body operator()(const Hysteretic&) const {
     return absent("NOT WRITTEN: pair_style granular of this version has no plastic loading and unloading.");
@@ -98,6 +186,6 @@ pair_coeff * * {} {} {} damping {} tangential linear_nohistory 0.0 0.0{}
 
 }  // namespace
 
-Body write_lammps(const ExportCase& what) { return std::visit(Lammps{what}, what.law); }
+Body write_lammps(const ContactSet& set) { return std::visit(Lammps{set}, set.pairs.front().law); }
 
 }  // namespace ricochet::calibration

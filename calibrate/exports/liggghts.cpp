@@ -8,28 +8,59 @@ namespace ricochet::calibration {
 
 namespace {
 
-/// A material property of the pair of types 1, 1 under a fix of our own name.
-std::string property(std::string_view name, double value, std::string_view kind = "peratomtypepair 1") {
-  return fmt::format("fix ricochet_{0} all property/global {0} {1} {2}", name, kind, shortest(value));
-}
-
-std::string with_style(const std::vector<std::string>& properties, std::string_view model) {
-  return fmt::format(R"({}
-pair_style gran model {}
-pair_coeff * *
-)",
-                     fmt::join(properties, "\n"), model);
+/// A material property under a fix of our own name; `values` in the order that LIGGGHTS wants.
+std::string property(std::string_view name, std::string_view kind, const std::vector<double>& values) {
+  std::string line = fmt::format("fix ricochet_{0} all property/global {0} {1}", name, kind);
+  for (const double value : values) line += " " + shortest(value);
+  return line;
 }
 
 struct Liggghts {
-  const ExportCase& what;
+  const ContactSet& set;
 
-  std::string limit() const { return what.end == ContactEnd::force ? "limitForce on" : "limitForce off"; }
+  std::string limit() const { return set.end == ContactEnd::force ? "limitForce on" : "limitForce off"; }
 
-  static std::string setting() {
-    return "Include after create_box with one atom type (with more, each property wants the full matrix). Needs "
-           "atom_style granular, newton off and communicate single vel yes. tangential off has no friction; put your "
-           "model in its place.";
+  std::string setting() const {
+    const std::size_t types = set.kinds.size();
+    std::string text = types == 1 ? "Include after create_box with one atom type (with more, each property wants the "
+                                    "full matrix). "
+                                  : fmt::format("Include after create_box with {} atom types:", types);
+    for (std::size_t i = 0; types > 1 && i < types; ++i)
+      text += fmt::format(" {} {}{}", i + 1, set.kinds[i].name, i + 1 < types ? "," : ". ");
+    if (!walls_of(set).empty())
+      text +=
+          "A variable that is set before keeps its value: set ricochet_wall as you need it, also to mesh n_meshes "
+          "1 meshes NAME. ";
+    return text +
+           "Needs atom_style granular, newton off and communicate single vel yes. tangential off has no "
+           "friction; put your model in its place.";
+  }
+
+  /// f(pair) of every two types.
+  template <class F>
+  std::string matrix(std::string_view name, const F& f) const {
+    const std::size_t types = set.kinds.size();
+    std::vector<double> values;
+    for (std::size_t i = 0; i < types; ++i)
+      for (std::size_t j = 0; j < types; ++j) values.push_back(f(pair_or_stand_in(set, i, j)));
+    return property(name, fmt::format("peratomtypepair {}", types), values);
+  }
+  std::string constant(std::string_view name, double value) const {
+    return matrix(name, [value](const PairCase&) { return value; });
+  }
+
+  /// A wall wants the settings of its model behind its own words.
+  std::string with_style(const std::vector<std::string>& properties, std::string_view model,
+                         const std::string& settings = "") const {
+    const std::string set_so = settings.empty() ? "" : " " + settings;
+    std::string text =
+        fmt::format("{}\npair_style gran model {}{}\npair_coeff * *\n", fmt::join(properties, "\n"), model, set_so);
+    for (const std::size_t wall : walls_of(set))
+      text += fmt::format(
+          "variable ricochet_wall{0} index \"primitive type {1} zplane 0.0\"\n"
+          "fix ricochet_wall{0} all wall/gran model {2} ${{ricochet_wall{0}}}{3}\n",
+          suffix_of(set, wall), wall + 1, model, set_so);
+    return text;
   }
 
   Body operator()(const Linear& law) const {
@@ -38,86 +69,126 @@ struct Liggghts {
         .remarks = {setting(),
                     fmt::format("absolute_damping on takes c in kg/s as it is; without it LIGGGHTS wants gamman per "
                                 "effective mass, {} 1/s here. limitForce on clips the attractive part of the force.",
-                                shortest(law.c() / what.impact.mass_eff))},
+                                shortest(law.c() / set.pairs.front().impact.mass_eff))},
         .input = with_style(
-            {property("kn", law.k()), property("kt", 0), property("gamman_abs", law.c()), property("gammat_abs", 0)},
-            fmt::format("hooke/stiffness tangential off absolute_damping on {} tangential_damping off", limit()))};
+            {matrix("kn", [](const PairCase& p) { return law_of<Linear>(p).k(); }), constant("kt", 0),
+             matrix("gamman_abs", [](const PairCase& p) { return law_of<Linear>(p).c(); }), constant("gammat_abs", 0)},
+            "hooke/stiffness tangential off", fmt::format("absolute_damping on {} tangential_damping off", limit()))};
   }
 
-  Body operator()(const KuwabaraKono& law) const {
-    if (!what.radius_eff) return needs_radius();
-    const double root = std::sqrt(*what.radius_eff);
+  Body operator()(const KuwabaraKono&) const {
+    if (!knows_radii(set)) return needs_radius();
+    const auto stiffness = [](const PairCase& p) { return law_of<KuwabaraKono>(p).k() / std::sqrt(*p.radius_eff); };
+    const auto damping = [](const PairCase& p) {
+      return law_of<KuwabaraKono>(p).c() / (p.impact.mass_eff * std::sqrt(*p.radius_eff));
+    };
     return {.fidelity = Fidelity::exact,
             .remarks = {setting(),
                         "hertz/stiffness multiplies kn by sqrt(R overlap), gamman by that and the effective "
                         "mass: k/sqrt(R), c/(m sqrt(R)).",
                         tied_to_pair()},
-            .input = with_style({property("kn", law.k() / root), property("kt", 0),
-                                 property("gamman", law.c() / (what.impact.mass_eff * root)), property("gammat", 0)},
-                                fmt::format("hertz/stiffness tangential off {} tangential_damping off", limit()))};
+            .input = with_style(
+                {matrix("kn", stiffness), constant("kt", 0), matrix("gamman", damping), constant("gammat", 0)},
+                "hertz/stiffness tangential off", fmt::format("{} tangential_damping off", limit()))};
   }
 
-  Body operator()(const Tsuji& law) const {
-    if (!what.radius_eff) return needs_radius();
-    const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff));
-    if (!en || *en <= 0.05)
-      return absent(
-          fmt::format("NOT WRITTEN: LIGGGHTS refuses a coefficientRestitution of 0.05 or less, this law needs {}.",
-                      en ? shortest(*en) : "an overdamped one"));
-    const double young = youngs_modulus(effective_modulus(law.k(), *what.radius_eff), poisson);
-    std::vector<std::string> properties;
-    if (young < 5e6) properties.push_back("soft_particles yes");
-    if (young > 1e9) properties.push_back("hard_particles yes");
-    properties.push_back(property("youngsModulus", young, "peratomtype"));
-    properties.push_back(property("poissonsRatio", poisson, "peratomtype"));
-    properties.push_back(property("coefficientRestitution", *en));
+  /// The restitution that makes LIGGGHTS take this law's damping; NaN of an overdamped one.
+  static double asked_for(const PairCase& pair) {
+    return logarithmic_restitution(damping_ratio(law_of<Tsuji>(pair), pair.impact.mass_eff)).value_or(std::nan(""));
+  }
+
+  Body operator()(const Tsuji&) const {
+    if (!knows_radii(set)) return needs_radius();
+    for (const PairCase& pair : set.pairs)
+      if (const double en = asked_for(pair); !(en > 0.05))
+        return absent(
+            fmt::format("NOT WRITTEN: LIGGGHTS refuses a coefficientRestitution of 0.05 or less, this law needs {}.",
+                        std::isnan(en) ? "an overdamped one" : shortest(en)));
+    const auto young = youngs_moduli(set);
+    if (!young) return needs_materials("LIGGGHTS");
     Body body{.fidelity = Fidelity::exact,
               .remarks = {setting(),
                           "hertz knows moduli, not stiffnesses: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for "
                           "two equal bodies.",
                           keeps_restitution()},
-              .input = with_style(properties, fmt::format("hertz tangential off {} tangential_damping off", limit()))};
-    if (what.end == ContactEnd::force)
+              .input = with_style(materials(*young), "hertz tangential off",
+                                  fmt::format("{} tangential_damping off", limit()))};
+    if (set.end == ContactEnd::force)
       body.remarks.push_back(
           fmt::format("LIGGGHTS derives the damping for a force that may attract, so with limitForce on it rebounds "
                       "faster than asked; the coefficientRestitution below is the one whose damping gives {}.",
-                      shortest(what.en)));
+                      shortest(set.pairs.front().en)));
     return body;
   }
 
-  Body operator()(const Hysteretic& law) const {
-    if (!what.radius_eff) return needs_radius();
-    if (law.k1() == law.k2()) return absent("NOT WRITTEN: luding needs k2 > k1; use the linear law with c = 0.");
-    const double deepest = what.impact.velocity * std::sqrt(what.impact.mass_eff / law.k1());
-    const double depth = deepest * (1 - law.k1() / law.k2()) / (2 * *what.radius_eff);
-    const double half = law.k1() / (law.k1() + 0.5 * (law.k2() - law.k1()));
-    return {.fidelity = Fidelity::close,
-            .remarks = {setting(),
-                        fmt::format("luding lets the unloading stiffness grow from k1 at no overlap to k2 at a limit, "
-                                    "set here to the greatest overlap of the target's impact: its collision time and "
-                                    "restitution are met there alone. At half the velocity the restitution is {} "
-                                    "(constant k2: {}).",
-                                    rounded(std::sqrt(half)), rounded(what.en))},
-            .input =
-                with_style({property("LoadingStiffness", law.k1()), property("UnloadingStiffness", law.k2() / law.k1()),
-                            property("coefficientAdhesionStiffness", 0), property("coefficientPlasticityDepth", depth),
-                            property("pullOffForce", 0), property("coefficientRestitution", 1)},
-                           "luding tangential off")};
+  std::vector<std::string> materials(const std::vector<double>& young) const {
+    std::vector<std::string> properties;
+    std::vector<double> poisson;
+    bool soft = false, hard = false;
+    for (std::size_t i = 0; i < young.size(); ++i) {
+      soft = soft || young[i] < 5e6;
+      hard = hard || young[i] > 1e9;
+      poisson.push_back(set.kinds[i].poisson);
+    }
+    if (soft) properties.push_back("soft_particles yes");
+    if (hard) properties.push_back("hard_particles yes");
+    properties.push_back(property("youngsModulus", "peratomtype", young));
+    properties.push_back(property("poissonsRatio", "peratomtype", poisson));
+    properties.push_back(matrix("coefficientRestitution", asked_for));
+    return properties;
   }
 
-  Body operator()(const Fractional& law) const {
-    if (what.end != ContactEnd::force)
+  /// The overlap that the impact reaches by k1 alone.
+  static double deepest(const PairCase& pair) {
+    return pair.impact.velocity * std::sqrt(pair.impact.mass_eff / law_of<Hysteretic>(pair).k1());
+  }
+
+  Body operator()(const Hysteretic& law) const {
+    if (!knows_radii(set)) return needs_radius();
+    if (law.k1() == law.k2()) return absent("NOT WRITTEN: luding needs k2 > k1; use the linear law with c = 0.");
+    const auto unloading = [](const PairCase& p) { return law_of<Hysteretic>(p).k2() / law_of<Hysteretic>(p).k1(); };
+    const auto depth = [unloading](const PairCase& p) {
+      return deepest(p) * (1 - 1 / unloading(p)) / (2 * *p.radius_eff);
+    };
+    const double half = law.k1() / (law.k1() + 0.5 * (law.k2() - law.k1()));
+    return {
+        .fidelity = Fidelity::close,
+        .remarks = {setting(),
+                    fmt::format("luding lets the unloading stiffness grow from k1 at no overlap to k2 at a limit, "
+                                "set here to the greatest overlap of the target's impact: its collision time and "
+                                "restitution are met there alone. At half the velocity the restitution is {} "
+                                "(constant k2: {}).",
+                                rounded(std::sqrt(half)), rounded(set.pairs.front().en))},
+        .input = with_style({matrix("LoadingStiffness", [](const PairCase& p) { return law_of<Hysteretic>(p).k1(); }),
+                             matrix("UnloadingStiffness", unloading), constant("coefficientAdhesionStiffness", 0),
+                             matrix("coefficientPlasticityDepth", depth), constant("pullOffForce", 0),
+                             constant("coefficientRestitution", 1)},
+                            "luding tangential off")};
+  }
+
+  Body operator()(const Fractional&) const {
+    if (set.end != ContactEnd::force)
       return absent("NOT WRITTEN: normal fractional ends contacts by force; export with --end force.");
-    return {.fidelity = Fidelity::exact,
-            .remarks = {setting(),
-                        "Run with liggghts-ricochet, which adds this model to LIGGGHTS. Only c^alpha "
-                        "k^(1-alpha) acts, for every pair alike.",
-                        fmt::format("For the same collision time and restitution at every pair's own mass, give in "
-                                    "place of the three properties: {} and {}",
-                                    property("collisionTime", what.tcol), property("coefficientRestitution", what.en))},
-            .input = with_style({property("fractionalK", law.k()), property("fractionalC", law.c()),
-                                 property("fractionalAlpha", law.alpha())},
-                                "fractional tangential off")};
+    const std::vector<std::string> by_target{matrix("collisionTime", [](const PairCase& p) { return p.tcol; }),
+                                             matrix("coefficientRestitution", [](const PairCase& p) { return p.en; })};
+    Body body{.fidelity = Fidelity::exact,
+              .remarks = {setting(), "Run with liggghts-ricochet, which adds this model to LIGGGHTS."}};
+    if (!set.other_sizes.empty()) {
+      body.remarks.push_back("Pairs of every size have this collision time and restitution.");
+      body.input = with_style(by_target, "fractional tangential off");
+      return body;
+    }
+    body.remarks.back() += " Only c^alpha k^(1-alpha) acts, for every pair alike.";
+    body.remarks.push_back(
+        fmt::format("For the same collision time and restitution at every pair's own mass, give in place of the three "
+                    "properties: {}",
+                    fmt::join(by_target, " and ")));
+    body.input =
+        with_style({matrix("fractionalK", [](const PairCase& p) { return law_of<Fractional>(p).k(); }),
+                    matrix("fractionalC", [](const PairCase& p) { return law_of<Fractional>(p).c(); }),
+                    matrix("fractionalAlpha", [](const PairCase& p) { return law_of<Fractional>(p).alpha(); })},
+                   "fractional tangential off");
+    return body;
   }
 
   /// Any law of which nothing is said above.
@@ -129,6 +200,6 @@ struct Liggghts {
 
 }  // namespace
 
-Body write_liggghts(const ExportCase& what) { return std::visit(Liggghts{what}, what.law); }
+Body write_liggghts(const ContactSet& set) { return std::visit(Liggghts{set}, set.pairs.front().law); }
 
 }  // namespace ricochet::calibration

@@ -9,23 +9,42 @@ namespace ricochet::calibration {
 namespace {
 
 struct MercuryDpm {
-  const ExportCase& what;
+  const ContactSet& set;
 
   static std::string attracts() {
     return "This species does not clip the attractive part of its force, so contacts end by overlap; calibrate with "
            "--end overlap to meet the target.";
   }
 
-  /// The species made, and its density where it is known; what sets its law follows.
-  std::string species(std::string_view of) const {
-    return fmt::format("auto species = speciesHandler.copyAndAddObject({}());\n", of) +
-           (what.density ? fmt::format("species->setDensity({});\n", shortest(*what.density)) : "");
+  /// "species" of the only kind, "species_grain" of one among several.
+  std::string name_of(std::size_t kind) const {
+    return set.kinds.size() == 1 ? "species" : "species_" + set.kinds[kind].name;
   }
-  std::string hertzian(double stiffness, double dissipation) const {
-    return fmt::format(R"(species->setEffectiveElasticModulus({});
-species->setDissipation({});
-)",
-                       shortest(effective_modulus(stiffness, *what.radius_eff)), shortest(dissipation));
+
+  /// The species made, and their densities where known, then setters(pair) of what acts in every pair. A setter is
+  /// everything behind the arrow.
+  template <class F>
+  std::string species(std::string_view of, const F& setters) const {
+    std::string text;
+    for (std::size_t i = 0; i < set.kinds.size(); ++i) {
+      text += fmt::format("auto {} = speciesHandler.copyAndAddObject({}());\n", name_of(i), of);
+      if (set.kinds[i].density)
+        text += fmt::format("{}->setDensity({});\n", name_of(i), shortest(*set.kinds[i].density));
+    }
+    for (const PairCase& pair : set.pairs) {
+      std::string acts = name_of(pair.a);
+      if (pair.a != pair.b) {
+        acts = fmt::format("{}_{}", name_of(pair.a), set.kinds[pair.b].name);
+        text +=
+            fmt::format("auto {} = speciesHandler.getMixedObject({}, {});\n", acts, name_of(pair.a), name_of(pair.b));
+      }
+      for (const std::string& setter : setters(pair)) text += fmt::format("{}->{};\n", acts, setter);
+    }
+    return text;
+  }
+  static std::vector<std::string> hertzian(const PairCase& pair, double stiffness, double dissipation) {
+    return {fmt::format("setEffectiveElasticModulus({})", shortest(effective_modulus(stiffness, *pair.radius_eff))),
+            fmt::format("setDissipation({})", shortest(dissipation))};
   }
   static std::string header(std::string_view of) {
     return fmt::format(
@@ -34,56 +53,64 @@ species->setDissipation({});
         of);
   }
 
-  Body operator()(const Linear& law) const {
+  Body operator()(const Linear&) const {
     constexpr std::string_view of = "LinearViscoelasticSpecies";
     Body body{.fidelity = Fidelity::exact,
               .remarks = {header(of),
                           "setDissipation takes c in kg/s of the pair as it is. setCollisionTimeAnd"
                           "RestitutionCoefficient(tc, e, mass) wants twice the effective mass."},
-              .input = species(of) + fmt::format(R"(species->setStiffness({});
-species->setDissipation({});
-)",
-                                                 shortest(law.k()), shortest(law.c()))};
-    end_otherwise(body, what, ContactEnd::overlap, attracts());
+              .input = species(of, [](const PairCase& p) {
+                const auto& law = law_of<Linear>(p);
+                return std::vector{fmt::format("setStiffness({})", shortest(law.k())),
+                                   fmt::format("setDissipation({})", shortest(law.c()))};
+              })};
+    end_otherwise(body, set, ContactEnd::overlap, attracts());
     return body;
   }
 
-  Body operator()(const KuwabaraKono& law) const {
-    if (!what.radius_eff) return needs_radius();
+  Body operator()(const KuwabaraKono&) const {
+    if (!knows_radii(set)) return needs_radius();
     constexpr std::string_view of = "HertzianBSHPViscoelasticSpecies";
     return {.fidelity = Fidelity::exact,
             .remarks = {header(of),
                         "Dissipation is Brilliantov's A in seconds, c = (3/2) A k, and the modulus is E*, "
                         "k = (4/3) E* sqrt(R): other radii keep the same material. This species clips the "
                         "attractive part of its force."},
-            .input = species(of) + hertzian(law.k(), 2 * law.c() / (3 * law.k()))};
+            .input = species(of, [](const PairCase& p) {
+              const auto& law = law_of<KuwabaraKono>(p);
+              return hertzian(p, law.k(), 2 * law.c() / (3 * law.k()));
+            })};
   }
 
-  Body operator()(const Tsuji& law) const {
-    if (!what.radius_eff) return needs_radius();
+  Body operator()(const Tsuji&) const {
+    if (!knows_radii(set)) return needs_radius();
     constexpr std::string_view of = "HertzianViscoelasticSpecies";
     Body body{.fidelity = Fidelity::exact,
               .remarks = {header(of),
                           "The modulus is E*, k = (4/3) E* sqrt(R). Dissipation has no unit: c = dissipation "
                           "sqrt(m k).",
                           keeps_restitution()},
-              .input = species(of) + hertzian(law.k(), law.c() / std::sqrt(what.impact.mass_eff * law.k()))};
-    end_otherwise(body, what, ContactEnd::overlap, attracts());
+              .input = species(of, [](const PairCase& p) {
+                const auto& law = law_of<Tsuji>(p);
+                return hertzian(p, law.k(), law.c() / std::sqrt(p.impact.mass_eff * law.k()));
+              })};
+    end_otherwise(body, set, ContactEnd::overlap, attracts());
     return body;
   }
 
-  Body operator()(const Hysteretic& law) const {
+  Body operator()(const Hysteretic&) const {
     constexpr std::string_view of = "LinearPlasticViscoelasticSpecies";
     return {.fidelity = Fidelity::exact,
             .remarks = {header(of),
                         "Without setDoConstantUnloadingStiffness(true) the unloading stiffness grows with "
                         "the overlap. The last plastic parameter, a depth of 1 in units of the effective "
                         "diameter, keeps the limit out of reach."},
-            .input = species(of) + fmt::format(R"(species->setPlasticParameters({}, {}, 0, 1);
-species->setDoConstantUnloadingStiffness(true);
-species->setDissipation(0);
-)",
-                                               shortest(law.k1()), shortest(law.k2()))};
+            .input = species(of, [](const PairCase& p) {
+              const auto& law = law_of<Hysteretic>(p);
+              return std::vector<std::string>{
+                  fmt::format("setPlasticParameters({}, {}, 0, 1)", shortest(law.k1()), shortest(law.k2())),
+                  "setDoConstantUnloadingStiffness(true)", "setDissipation(0)"};
+            })};
   }
 
   Body operator()(const Fractional&) const { return no_memory("MercuryDPM"); }
@@ -97,6 +124,6 @@ species->setDissipation(0);
 
 }  // namespace
 
-Body write_mercurydpm(const ExportCase& what) { return std::visit(MercuryDpm{what}, what.law); }
+Body write_mercurydpm(const ContactSet& set) { return std::visit(MercuryDpm{set}, set.pairs.front().law); }
 
 }  // namespace ricochet::calibration

@@ -9,11 +9,13 @@ namespace ricochet::calibration {
 namespace {
 
 struct Mfix {
-  const ExportCase& what;
+  const ContactSet& set;
 
-  static std::string setting() {
-    return "For the project file with one solids phase and units 'SI'; walls get the same numbers. MEW and MEW_W of 0 "
-           "are frictionless; put yours in their place.";
+  std::string setting() const {
+    return fmt::format(
+        "For the project file with one solids phase and units 'SI'; {}. MEW and MEW_W of 0 are "
+        "frictionless; put yours in their place.",
+        walls_of(set).empty() ? "walls get the same numbers" : "the numbers with W are the wall's");
   }
   static std::string attracts() {
     return "MFiX does not clip the attractive part of the force, so contacts end by overlap; calibrate with --end "
@@ -23,23 +25,40 @@ struct Mfix {
     return absent("NOT WRITTEN: MFiX computes the damping from a restitution, which has none for this overdamped law.");
   }
 
-  Body operator()(const Linear& law) const {
-    const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff));
-    if (!en) return overdamped();
+  static Body several() {
+    return absent("NOT WRITTEN: MFiX's models have one stiffness, and its numbers are written for one solids phase.");
+  }
+
+  /// The pair of grains and what meets the wall; the same without a wall.
+  const PairCase& grains() const { return *find_pair(set, 0, 0); }
+  const PairCase& at_wall() const { return walls_of(set).empty() ? grains() : *find_pair(set, 0, 1); }
+  bool one_phase() const { return set.kinds.size() - walls_of(set).size() == 1 && walls_of(set).size() <= 1; }
+
+  /// The restitution of which MFiX computes this law's damping.
+  template <class Law>
+  static std::optional<double> restitution(const PairCase& pair) {
+    return logarithmic_restitution(damping_ratio(law_of<Law>(pair), pair.impact.mass_eff));
+  }
+
+  Body operator()(const Linear&) const {
+    if (!one_phase()) return several();
+    const auto en = restitution<Linear>(grains()), en_wall = restitution<Linear>(at_wall());
+    if (!en || !en_wall) return overdamped();
     Body body{.fidelity = Fidelity::exact,
               .remarks = {setting(),
                           "LSD takes the stiffness and a restitution e, from which it computes c = 2 sqrt(m k) "
                           "|ln e|/sqrt(pi^2 + ln^2 e): exact for a contact ended by overlap, at every mass."},
               .input = fmt::format(R"(DES_COLL_MODEL = 'LSD'
-KN = {k}
-KN_W = {k}
-DES_EN_INPUT(1) = {en}
-DES_EN_WALL_INPUT(1) = {en}
+KN = {}
+KN_W = {}
+DES_EN_INPUT(1) = {}
+DES_EN_WALL_INPUT(1) = {}
 MEW = 0.0
 MEW_W = 0.0
 )",
-                                   fmt::arg("k", shortest(law.k())), fmt::arg("en", shortest(*en)))};
-    end_otherwise(body, what, ContactEnd::overlap, attracts());
+                                   shortest(law_of<Linear>(grains()).k()), shortest(law_of<Linear>(at_wall()).k()),
+                                   shortest(*en), shortest(*en_wall))};
+    end_otherwise(body, set, ContactEnd::overlap, attracts());
     return body;
   }
 
@@ -48,12 +67,14 @@ MEW_W = 0.0
   }
 
   Body operator()(const Tsuji& law) const {
-    if (!what.radius_eff) return needs_radius();
-    const auto en = logarithmic_restitution(damping_ratio(law, what.impact.mass_eff));
-    if (!en) return overdamped();
-    const double young = youngs_modulus(effective_modulus(law.k(), *what.radius_eff), poisson);
-    const double up_to_21_3 =
-        restitution_of_damping(2 / std::sqrt(5.0) * damping_ratio(law, what.impact.mass_eff), ContactEnd::overlap);
+    if (!knows_radii(set)) return needs_radius();
+    if (!one_phase()) return several();
+    const auto en = restitution<Tsuji>(grains()), en_wall = restitution<Tsuji>(at_wall());
+    if (!en || !en_wall) return overdamped();
+    const auto young = youngs_moduli(set);
+    if (!young) return needs_materials("MFiX");
+    const double up_to_21_3 = restitution_of_damping(
+        2 / std::sqrt(5.0) * damping_ratio(law, set.pairs.front().impact.mass_eff), ContactEnd::overlap);
     Body body{
         .fidelity = Fidelity::exact,
         .remarks = {setting(),
@@ -62,21 +83,24 @@ MEW_W = 0.0
                                 "{} with these numbers.",
                                 rounded(up_to_21_3)),
                     keeps_restitution()},
-        .input = fmt::format(R"(DES_COLL_MODEL = 'HERTZIAN'
+        .input =
+            fmt::format(R"(DES_COLL_MODEL = 'HERTZIAN'
 E_YOUNG(1) = {young}
-EW_YOUNG = {young}
+EW_YOUNG = {young_wall}
 V_POISSON(1) = {nu}
-VW_POISSON = {nu}
+VW_POISSON = {nu_wall}
 DES_EN_INPUT(1) = {en}
-DES_EN_WALL_INPUT(1) = {en}
+DES_EN_WALL_INPUT(1) = {en_wall}
 DES_ET_INPUT(1) = 1.0
 DES_ET_WALL_INPUT(1) = 1.0
 MEW = 0.0
 MEW_W = 0.0
 )",
-                             fmt::arg("young", shortest(young)), fmt::arg("nu", shortest(poisson)),
-                             fmt::arg("en", shortest(*en)))};
-    end_otherwise(body, what, ContactEnd::overlap, attracts());
+                        fmt::arg("young", shortest(young->front())), fmt::arg("young_wall", shortest(young->back())),
+                        fmt::arg("nu", shortest(set.kinds.front().poisson)),
+                        fmt::arg("nu_wall", shortest(set.kinds.back().poisson)), fmt::arg("en", shortest(*en)),
+                        fmt::arg("en_wall", shortest(*en_wall)))};
+    end_otherwise(body, set, ContactEnd::overlap, attracts());
     return body;
   }
 
@@ -93,6 +117,6 @@ MEW_W = 0.0
 
 }  // namespace
 
-Body write_mfix(const ExportCase& what) { return std::visit(Mfix{what}, what.law); }
+Body write_mfix(const ContactSet& set) { return std::visit(Mfix{set}, set.pairs.front().law); }
 
 }  // namespace ricochet::calibration

@@ -2,43 +2,138 @@
 
 #include <ricochet/collision/damping_ratio.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ricochet::calibration {
 
 namespace {
 
 struct Yade {
-  const ExportCase& what;
+  const ContactSet& set;
 
-  static std::string setting() {
-    return "Defines material, ip2 and law2: O.materials.append(material), and "
-           "InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [ip2], [law2]). Set NewtonIntegrator(damping=0): its default "
-           "of 0.2 would slow every grain. Grains are "
-           "frictionless here.";
+  bool several() const { return set.kinds.size() > 1; }
+
+  std::string setting() const {
+    constexpr std::string_view rest =
+        "Set NewtonIntegrator(damping=0): its default of 0.2 would slow every grain. Grains are frictionless here.";
+    if (!several())
+      return fmt::format(
+          "Defines material, ip2 and law2: O.materials.append(material), and "
+          "InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [ip2], [law2]). {}",
+          rest);
+    return fmt::format(
+        "Appends the materials to O.materials; defines ig2, ip2 and law2 for InteractionLoop(ig2, [ip2], "
+        "[law2]). hertzian=True makes a wall flat; without it a wall counts as a sphere of the sphere's "
+        "own radius, a facet as one of twice that. {}",
+        rest);
   }
   static std::string clips() {
     return "Yade clips the attractive part of this law's force, so contacts end by force; calibrate with --end force "
            "to meet the target.";
   }
-
-  std::string material(const std::string& of, const std::string& arguments) const {
-    const std::string density = what.density ? fmt::format("density={}, ", shortest(*what.density)) : "";
-    return fmt::format("material = {}({}{}, frictionAngle=0)", of, density, arguments);
+  static Body one_kind_only() {
+    return absent("NOT WRITTEN: LudingMat is written here for one kind of grain only, without walls.");
   }
 
-  Body operator()(const Linear& law) const {
-    Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(),
-                          "Yade joins the two grains' springs and dashpots in series, so the material "
-                          "carries twice the pair's k and c."},
-              .input = fmt::format(R"({}
-ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()
-law2 = Law2_ScGeom_ViscElPhys_Basic()
-)",
-                                   material("ViscElMat", fmt::format("kn={}, cn={}, ks=0, cs=0", shortest(2 * law.k()),
-                                                                     shortest(2 * law.c()))))};
-    end_otherwise(body, what, ContactEnd::force, clips());
+  /// "material" and "wall_material" of the only grain and wall, with the kind's name where there are several.
+  std::string name_of(std::size_t kind) const {
+    if (set.kinds[kind].wall) return "wall_material" + suffix_of(set, kind);
+    return set.kinds.size() - walls_of(set).size() == 1 ? "material" : "material_" + set.kinds[kind].name;
+  }
+
+  std::string material(std::size_t kind, const std::string& of, const std::string& arguments) const {
+    const auto& density = set.kinds[kind].density;
+    const std::string dense = density ? fmt::format("density={}, ", shortest(*density)) : "";
+    return fmt::format("{} = {}({}{}, frictionAngle=0)\n", name_of(kind), of, dense, arguments);
+  }
+
+  /// f(kind) of every kind: its material's arguments.
+  template <class F>
+  std::string materials(const std::string& of, const F& arguments) const {
+    std::string text;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < set.kinds.size(); ++i) {
+      text += material(i, of, arguments(i));
+      names.push_back(name_of(i));
+    }
+    if (!several()) return text;
+    return text + fmt::format(
+                      "O.materials.append([{}])\n"
+                      "ig2 = [Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom(hertzian=True), "
+                      "Ig2_Facet_Sphere_ScGeom(hertzian=True)]\n",
+                      fmt::join(names, ", "));
+  }
+
+  /// A number of every pair: as it is where all have the same, else by the materials' numbers.
+  template <class F>
+  std::string by_pair(const F& value) const {
+    const double first = value(set.pairs.front());
+    if (std::all_of(set.pairs.begin(), set.pairs.end(),
+                    [&](const PairCase& p) { return std::abs(value(p) - first) <= 1e-12 * first; }))
+      return shortest(first);
+    return matches(value);
+  }
+  template <class F>
+  std::string matches(const F& value) const {
+    std::vector<std::string> all;
+    for (const PairCase& p : set.pairs)
+      all.push_back(fmt::format("({}.id, {}.id, {})", name_of(p.a), name_of(p.b), shortest(value(p))));
+    return fmt::format("MatchMaker(matches=[{}])", fmt::join(all, ", "));
+  }
+
+  /// Springs and dashpots of the materials, in series; nothing where none give every pair.
+  std::optional<std::string> by_material() const {
+    const bool elastic =
+        std::all_of(set.pairs.begin(), set.pairs.end(), [](const PairCase& p) { return law_of<Linear>(p).c() == 0; });
+    const auto springs = in_series(set, [](const PairCase& p) { return law_of<Linear>(p).k(); });
+    const auto dashpots = elastic ? std::optional(std::vector<double>(set.kinds.size(), 0))
+                                  : in_series(set, [](const PairCase& p) { return law_of<Linear>(p).c(); });
+    if (!springs || !dashpots) return std::nullopt;
+    const auto kn = members(*springs), cn = elastic ? *dashpots : members(*dashpots);
+    return materials("ViscElMat",
+                     [&](std::size_t i) {
+                       return fmt::format("kn={}, cn={}, ks=0, cs=0", shortest(kn[i]), shortest(cn[i]));
+                     }) +
+           "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()\n";
+  }
+
+  /// tc and en from which Yade makes k = (π² + ln²en) m'/tc² and c = −2 ln(en) m'/tc, m' being the pair's effective
+  /// mass, or half the sphere's at a wall.
+  struct AskedFor {
+    double tc, en;
+  };
+  std::optional<AskedFor> asked_for(const PairCase& p) const {
+    const auto& law = law_of<Linear>(p);
+    const double mass = set.kinds[p.b].wall ? 0.5 * p.impact.mass_eff : p.impact.mass_eff;
+    const double left = law.k() - law.c() * law.c() / (4 * mass);
+    if (!(left > 0)) return std::nullopt;
+    const double tc = std::numbers::pi * std::sqrt(mass / left);
+    return AskedFor{tc, std::exp(-law.c() * tc / (2 * mass))};
+  }
+  std::optional<std::string> by_time() const {
+    for (const PairCase& p : set.pairs)
+      if (!asked_for(p)) return std::nullopt;
+    return materials("ViscElMat", [](std::size_t) { return std::string("tc=1, en=1, et=1"); }) +
+           fmt::format("ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys(tc={}, en={}, et=MatchMaker(algo='val', val=1))\n",
+                       matches([this](const PairCase& p) { return asked_for(p)->tc; }),
+                       matches([this](const PairCase& p) { return asked_for(p)->en; }));
+  }
+
+  Body operator()(const Linear&) const {
+    const auto timed = several() ? by_time() : std::nullopt;
+    const auto input = timed ? timed : by_material();
+    if (!input) return needs_materials("Yade");
+    Body body{
+        .fidelity = Fidelity::exact,
+        .remarks = {setting(), timed ? "tc and en are what makes Yade take these k and c; the contact, whose force "
+                                       "is clipped, keeps other ones. Pairs of other masses keep the collision "
+                                       "time and the restitution."
+                                     : "Yade joins the two grains' springs and dashpots in series, so the material "
+                                       "carries twice the pair's k and c."},
+        .input = *input + "law2 = Law2_ScGeom_ViscElPhys_Basic()\n"};
+    end_otherwise(body, set, ContactEnd::force, clips());
     return body;
   }
 
@@ -46,11 +141,15 @@ law2 = Law2_ScGeom_ViscElPhys_Basic()
     return absent("NOT WRITTEN: Yade's Hertzian laws have no damping proportional to the contact radius.");
   }
 
-  Body operator()(const Tsuji& law) const {
-    if (!what.radius_eff) return needs_radius();
-    const double young = youngs_modulus(effective_modulus(law.k(), *what.radius_eff), poisson);
-    // c = 2 betan √(m K_t), K_t = (3/2)kζ^{1/2}, and c = β√(5mk)ζ^{1/4}.
-    const double betan = damping_ratio(law, what.impact.mass_eff) * std::sqrt(5.0 / 6.0);
+  /// c = 2 betan √(m K_t), K_t = (3/2)kζ^{1/2}, and c = β√(5mk)ζ^{1/4}.
+  static double betan_of(const PairCase& p) {
+    return damping_ratio(law_of<Tsuji>(p), p.impact.mass_eff) * std::sqrt(5.0 / 6.0);
+  }
+
+  Body operator()(const Tsuji&) const {
+    if (!knows_radii(set)) return needs_radius();
+    const auto young = youngs_moduli(set);
+    if (!young) return needs_materials("Yade");
     Body body{.fidelity = Fidelity::exact,
               .remarks = {setting(),
                           "Mindlin's law knows moduli: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for two equal "
@@ -58,22 +157,25 @@ law2 = Law2_ScGeom_ViscElPhys_Basic()
                           "exact at every mass; en= would go through a polynomial, and in Yade of 2019 "
                           "through a formula for another end of contact.",
                           keeps_restitution()},
-              .input = fmt::format(
-                  R"({}
-ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(betan={}, betas=0)
-law2 = Law2_ScGeom_MindlinPhys_Mindlin()
-)",
-                  material("FrictMat", fmt::format("young={}, poisson={}", shortest(young), shortest(poisson))),
-                  shortest(betan))};
-    end_otherwise(body, what, ContactEnd::force, clips());
+              .input = materials("FrictMat",
+                                 [&](std::size_t i) {
+                                   return fmt::format("young={}, poisson={}", shortest((*young)[i]),
+                                                      shortest(set.kinds[i].poisson));
+                                 }) +
+                       fmt::format("ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(betan={}, betas=0)\n"
+                                   "law2 = Law2_ScGeom_MindlinPhys_Mindlin()\n",
+                                   by_pair(betan_of))};
+    end_otherwise(body, set, ContactEnd::force, clips());
     return body;
   }
 
   Body operator()(const Hysteretic& law) const {
-    if (!what.radius_eff) return needs_radius();
+    if (several()) return one_kind_only();
+    if (!knows_radii(set)) return needs_radius();
     if (law.k1() == law.k2()) return absent("NOT WRITTEN: LudingMat needs kp > k1; use the linear law with c = 0.");
-    const double deepest = what.impact.velocity * std::sqrt(what.impact.mass_eff / law.k1());
-    const double depth = deepest * (1 - law.k1() / law.k2()) / (2 * *what.radius_eff);
+    const PairCase& pair = set.pairs.front();
+    const double deepest = pair.impact.velocity * std::sqrt(pair.impact.mass_eff / law.k1());
+    const double depth = deepest * (1 - law.k1() / law.k2()) / (2 * *pair.radius_eff);
     const double half = law.k1() / (law.k1() + 0.5 * (law.k2() - law.k1()));
     return {.fidelity = Fidelity::close,
             .remarks = {setting(),
@@ -81,14 +183,11 @@ law2 = Law2_ScGeom_MindlinPhys_Mindlin()
                                     "limit, set here to the greatest overlap of the target's impact: its collision "
                                     "time and restitution are met there alone. At half the velocity the restitution "
                                     "is {} (constant k2: {}).",
-                                    rounded(std::sqrt(half)), rounded(what.en))},
-            .input = fmt::format(
-                R"({}
-ip2 = Ip2_LudingMat_LudingMat_LudingPhys()
-law2 = Law2_ScGeom_LudingPhys_Basic()
-)",
-                material("LudingMat", fmt::format("k1={}, kp={}, kc=0, ks=0, G0=0, PhiF={}", shortest(law.k1()),
-                                                  shortest(law.k2()), shortest(depth))))};
+                                    rounded(std::sqrt(half)), rounded(pair.en))},
+            .input = material(0, "LudingMat",
+                              fmt::format("k1={}, kp={}, kc=0, ks=0, G0=0, PhiF={}", shortest(law.k1()),
+                                          shortest(law.k2()), shortest(depth))) +
+                     "ip2 = Ip2_LudingMat_LudingMat_LudingPhys()\nlaw2 = Law2_ScGeom_LudingPhys_Basic()\n"};
   }
 
   Body operator()(const Fractional&) const { return no_memory("Yade"); }
@@ -102,6 +201,6 @@ law2 = Law2_ScGeom_LudingPhys_Basic()
 
 }  // namespace
 
-Body write_yade(const ExportCase& what) { return std::visit(Yade{what}, what.law); }
+Body write_yade(const ContactSet& set) { return std::visit(Yade{set}, set.pairs.front().law); }
 
 }  // namespace ricochet::calibration

@@ -30,14 +30,16 @@ Cell parameter_cell(const AnyLaw& law, const Column& column) {
   return console::blank();
 }
 
-std::vector<Cell> row_of(const Calibration& r) {
+std::vector<Cell> row_of(const Calibration& r, bool given) {
   const std::string remarks = r.remarks.empty() ? "" : fmt::format("; {}", fmt::join(r.remarks, "; "));
-  std::vector<Cell> row{std::string(name(r.law)), std::string(text(r.end)), "calibrated" + remarks};
+  std::vector<Cell> row{std::string(name(r.law)), std::string(text(r.end)), (given ? "given" : "calibrated") + remarks};
   for (const auto& column : parameter_columns()) row.push_back(parameter_cell(r.law, column));
-  row.insert(row.end(),
-             {r.achieved.tcol, r.achieved.en, r.tcol_residual, r.en_residual, r.achieved.max_overlap,
-              r.achieved.max_force, r.achieved.overlap_end, r.tcol_estimate ? Cell(*r.tcol_estimate) : console::blank(),
-              static_cast<std::int64_t>(r.evaluations), std::string(text(r.method)), r.algorithm, r.cross_difference});
+  const auto searched = [&](const Cell& cell) { return given ? console::blank() : cell; };
+  row.insert(row.end(), {r.achieved.tcol, r.achieved.en, searched(r.tcol_residual), searched(r.en_residual),
+                         r.achieved.max_overlap, r.achieved.max_force, r.achieved.overlap_end,
+                         r.tcol_estimate ? Cell(*r.tcol_estimate) : console::blank(),
+                         searched(static_cast<std::int64_t>(r.evaluations)), searched(std::string(text(r.method))),
+                         searched(r.algorithm), searched(r.cross_difference)});
   return row;
 }
 
@@ -59,7 +61,7 @@ console::Table csv_of(const Report& report) {
                                  {"algorithm"},
                                  {"cross_check_difference"}});
   console::Table table(columns);
-  for (const auto& result : report.results) table.row(row_of(result));
+  for (const auto& result : report.results) table.row(row_of(result, report.job.given.has_value()));
   const auto without_result = [&](LawKind law, ContactEnd end, const std::string& status) {
     std::vector<Cell> row(columns.size(), console::blank());
     row[0] = std::string(law.name());

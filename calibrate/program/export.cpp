@@ -6,31 +6,72 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ricochet::calibration {
 namespace {
 
 using console::Json;
 
-std::vector<Snippet> snippets_of(const Report& report, Engine engine) {
+/// What is known of two grains that meet each other instead of the wall: what `found` was found from.
+Known between_grains(Known known, const Calibration& found) {
+  known.impact.mass_eff *= 0.5;
+  known.loss = loss::Restitution{found.request.target.en};
+  if (std::holds_alternative<scale::CollisionTime>(known.scale))
+    known.scale = scale::CollisionTime{found.request.target.tcol};
+  if (auto* moduli = std::get_if<scale::Moduli>(&known.scale)) {
+    moduli->second = moduli->first;
+    moduli->radius_eff *= 0.5;
+  }
+  return known;
+}
+
+/// What the law of two grains is where that of a grain and the wall was found; nothing where there is none.
+std::optional<Calibration> law_between_grains(const Job& job, const Calibration& found) {
+  Job grains = job;
+  grains.known = between_grains(job.known, found);
+  grains.wanted = {{LawKind::of(found.law), found.end}};
+  grains.left_out.clear();
+  const Report report = run(grains, {.method = Method::direct});
+  return report.results.empty() ? std::nullopt : std::optional(report.results.front());
+}
+
+/// The contact that was calibrated; with a wall also that of two such grains, which an engine has to know as well:
+/// calibrated the same way at their own effective mass. nullopt where they cannot reach it.
+std::optional<ContactSet> contacts_of(const Report& report, const Calibration& found) {
   const Job& job = report.job;
+  const Target& target = found.request.target;
+  PairCase asked{0, 0, found.law, target.tcol, target.en, target.impact, job.radius_eff};
+  ContactSet set{found.end, {{.name = "grain", .density = job.density}}, {}};
+  if (!job.wall) {
+    set.pairs.push_back(asked);
+    return set;
+  }
+  asked.b = 1;
+  set.kinds.push_back({.name = "wall", .wall = true});
+  set.pairs.push_back(asked);
+  const auto grains = law_between_grains(job, found);
+  if (!grains) return std::nullopt;
+  const Target& theirs = grains->request.target;
+  set.pairs.push_back({0, 0, grains->law, theirs.tcol, theirs.en, theirs.impact, 0.5 * *asked.radius_eff});
+  set.notes.push_back(
+      "Not asked for, but every engine wants it: two such grains meet by the same law, found the same way at their own "
+      "effective mass.");
+  return set;
+}
+
+std::vector<Snippet> snippets_of(const Report& report, Engine engine) {
   std::vector<Snippet> snippets;
   for (const Calibration& found : report.results)
-    snippets.push_back(export_law(engine, {.law = found.law,
-                                           .end = found.end,
-                                           .tcol = job.target.tcol,
-                                           .en = job.target.en,
-                                           .impact = job.target.impact,
-                                           .radius_eff = job.radius_eff,
-                                           .density = job.density}));
+    if (const auto set = contacts_of(report, found)) snippets.push_back(export_contacts(engine, *set));
   return snippets;
 }
 
 Json json_of(const Snippet& snippet) {
   Json json{{"law", name(snippet.law)}, {"end", text(snippet.end)}, {"fidelity", text(snippet.fidelity)}};
-  if (snippet.gives.separated())
-    json["gives"] = {{"tcol", snippet.gives.tcol}, {"en", snippet.gives.en}};
-  else
-    json["gives"] = nullptr;
+  json["gives"] = nullptr;
+  if (!snippet.gives.empty() && snippet.gives.front().separated())
+    json["gives"] = {{"tcol", snippet.gives.front().tcol}, {"en", snippet.gives.front().en}};
   json["remarks"] = snippet.remarks;
   json["text"] = snippet.text;
   return json;
@@ -45,15 +86,28 @@ std::string document_of(const std::vector<Snippet>& snippets, Engine engine) {
   return console::document(json);
 }
 
-}  // namespace
-
-std::string exported(const Report& report, const std::string& name_of_engine, console::Format format) {
+void require_exportable(console::Format format) {
   if (format != console::Format::table && format != console::Format::json)
     throw console::BadInput("--format", format == console::Format::csv ? "csv" : "markdown",
                             "table (the engine's own language) or json with --export");
-  const Engine engine = engine_named(name_of_engine).value();
-  const auto snippets = snippets_of(report, engine);
-  if (format == console::Format::json) return document_of(snippets, engine);
+}
+
+/// Throws console::Unreachable where there are laws and the engine can be given none of them.
+void require_one(const std::vector<Snippet>& snippets, Engine engine) {
+  std::vector<std::string> reasons;
+  for (const Snippet& s : snippets) {
+    if (s.fidelity != Fidelity::absent) return;
+    std::string reason = s.remarks.empty() ? "that contact never separates there" : s.remarks.front();
+    if (const std::string mark = "NOT WRITTEN: "; reason.starts_with(mark)) reason.erase(0, mark.size());
+    if (reason.ends_with('.')) reason.pop_back();
+    reasons.push_back(fmt::format("{}, ended by {}: {}", name(s.law), text(s.end), reason));
+  }
+  if (!reasons.empty())
+    throw console::Unreachable(
+        fmt::format("--export {}: nothing to write: {}", text(engine), fmt::join(reasons, "; ")));
+}
+
+std::string text_of(const Report& report, const std::vector<Snippet>& snippets, Engine engine) {
   std::string all = combine(snippets);
   for (const Infeasible& missed : report.infeasible)
     all += "\n" + comment(engine, fmt::format("Ricochet: the {} law ended by {} can't reach the target.",
@@ -61,6 +115,26 @@ std::string exported(const Report& report, const std::string& name_of_engine, co
   for (const Failure& failure : report.failed)
     all += "\n" + comment(engine, fmt::format("Ricochet: failed: {}.", failure.reason));
   return all;
+}
+
+}  // namespace
+
+std::string exported(const Report& report, Engine engine) {
+  return text_of(report, snippets_of(report, engine), engine);
+}
+
+std::string exported(const std::vector<Snippet>& snippets, Engine engine, console::Format format) {
+  require_exportable(format);
+  require_one(snippets, engine);
+  return format == console::Format::json ? document_of(snippets, engine) : combine(snippets);
+}
+
+std::string exported(const Report& report, const std::string& name_of_engine, console::Format format) {
+  require_exportable(format);
+  const Engine engine = engine_named(name_of_engine).value();
+  const auto snippets = snippets_of(report, engine);
+  require_one(snippets, engine);
+  return format == console::Format::json ? document_of(snippets, engine) : text_of(report, snippets, engine);
 }
 
 }  // namespace ricochet::calibration

@@ -1,8 +1,10 @@
 #include "fit_report.hpp"
 
 #include "fit_figure.hpp"
+#include "fit_run.hpp"
 #include "measurements.hpp"
 
+#include <console/html.hpp>
 #include <console/json.hpp>
 #include <console/number.hpp>
 #include <console/output.hpp>
@@ -32,11 +34,12 @@ struct FitReport {
   std::vector<Measurement> data;
   std::vector<Fit> fits;
   std::vector<LeftOut> left_out;
-  std::vector<std::string> assumptions;
+  std::vector<std::string> assumptions, notes;  ///< of the bodies; of the file
+  std::optional<Report> run = {};               ///< the laws whole, where there is a scale
 };
 
 /// The laws that are asked for; what does not offer the asked end is left out, or refused where it stands alone.
-std::vector<FitRequest> requests_of(const Options& o, double mass_eff, std::vector<LeftOut>& left_out) {
+std::vector<FitRequest> requests_of(const Options& o, const Measurement& bodies, std::vector<LeftOut>& left_out) {
   const auto end = o.end.empty() ? ContactEnd::force : end_named("--end", o.end);
   std::vector<LawKind> laws{kind_of<Linear>, kind_of<KuwabaraKono>, kind_of<Tsuji>, kind_of<Hysteretic>,
                             kind_of<Fractional>};
@@ -46,13 +49,13 @@ std::vector<FitRequest> requests_of(const Options& o, double mass_eff, std::vect
   std::vector<FitRequest> all;
   for (const LawKind law : laws) {
     if (law.ends().offer(end)) {
-      all.push_back({law, end, mass_eff});
+      all.push_back({law, end, bodies.mass_eff, false, bodies.radius_eff});
       continue;
     }
     if (laws.size() == 1) throw BadInput("--end", o.end, "force with --law " + o.law);
-    left_out.push_back({{law, end, mass_eff}, "ends by force only"});
+    left_out.push_back({{law, end, bodies.mass_eff}, "ends by force only"});
   }
-  if (o.alpha_of_speed) all.push_back({kind_of<Fractional>, end, mass_eff, true});
+  if (o.alpha_of_speed) all.push_back({kind_of<Fractional>, end, bodies.mass_eff, true, bodies.radius_eff});
   return all;
 }
 
@@ -69,6 +72,11 @@ Table parameter_table(const FitReport& report) {
     }
   if (report.data.front().tcol > 0)  // without times the mass has no part in what is told
     for (const auto& assumption : report.assumptions) table.note("assumed: " + assumption);
+  for (const auto& note : report.notes) table.note(note);
+  if (!report.run)
+    table.note(
+        "with a scale (--tcol, --stiffness, --young and --poisson, --max-overlap) the laws come out whole, for runs "
+        "and --export");
   return table;
 }
 
@@ -184,15 +192,47 @@ std::string json_of(const FitReport& report) {
   for (const auto& [request, reason] : report.left_out)
     out["left_out"].push_back(
         {{"law", request.law.name()}, {"alpha_of_speed", request.alpha_of_speed}, {"reason", reason}});
+  if (!report.notes.empty()) out["notes"] = report.notes;
+  if (report.run) out["run"] = document_of(*report.run);
   return console::document(out);
+}
+
+/// The laws of the fits as a run takes them, and which of them none does.
+std::vector<Table> run_tables(const FitReport& report) {
+  if (!report.run) return {};
+  std::vector<Table> tables = law_tables(*report.run);
+  Table out({{"law"}, {"end"}, {"why"}}, "What no run takes");
+  for (const Infeasible& missed : report.run->infeasible)
+    out.row({std::string(missed.law.name()), std::string(text(missed.end)), explained(missed)});
+  if (!out.rows().empty()) tables.push_back(out);
+  return tables;
+}
+
+std::vector<Table> fit_tables(const FitReport& report) {
+  std::vector<Table> tables{parameter_table(report), goodness_table(report.fits)};
+  const Table found = findings_table(report);
+  if (!found.rows().empty()) tables.push_back(found);
+  return tables;
+}
+
+/// The page of the laws, with the fit before them.
+std::string page_of(const FitReport& report) {
+  std::string html = "<h2 id=\"fit\">The fit</h2>\n";
+  const auto tables = fit_tables(report);
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    html += console::html_table(tables[i], {.id = fmt::format("fit-{}", i + 1), .shown = 40});
+  const auto figure = figure_of(report.fits, report.data);
+  html += console::html_figure(figure, console::svg_of(figure), {});
+  return page_of(*report.run, html);
 }
 
 std::string rendered(const FitReport& report, console::Format format) {
   if (format == console::Format::json) return json_of(report);
-  std::vector<Table> tables{parameter_table(report), goodness_table(report.fits)};
-  const Table found = findings_table(report);
-  if (!found.rows().empty()) tables.push_back(found);
-  if (format == console::Format::csv) tables.push_back(comparison_table(report));
+  std::vector<Table> tables = fit_tables(report);
+  if (format == console::Format::csv)
+    tables.push_back(comparison_table(report));
+  else
+    for (const Table& table : run_tables(report)) tables.push_back(table);
   return console::render_all(tables, format);
 }
 
@@ -215,27 +255,57 @@ void fit_all(FitReport& report, const std::vector<FitRequest>& requests, const s
   throw console::Failed(reason);
 }
 
+/// The bodies whose parameters are told: the first row's, where rows have theirs, else those of the flags.
+Measurement bodies_of(const Options& options, FitReport& report) {
+  const Measurement& first = report.data.front();
+  if (first.mass_eff > 0) {
+    for (const std::string flag : {"--mass-eff", "--radius", "--diameter", "--radius2", "--diameter2", "--density2"})
+      if (std::find(options.given.begin(), options.given.end(), flag) != options.given.end())
+        throw BadInput(fmt::format("{}: must be left out with a file whose rows have masses or radii", flag));
+    report.notes.push_back(fmt::format("parameters are told for the bodies of line {}, effective mass {} kg",
+                                       first.line, console::significant(first.mass_eff, 6)));
+    return first;
+  }
+  const Bodies bodies = calibration::bodies_of(options.asked, Spelling::flags, report.assumptions);
+  return {.mass_eff = bodies.mass_eff, .radius_eff = bodies.radius_eff.value_or(0)};
+}
+
+/// Throws where laws that are not whole are asked for.
+void require_run(const Options& options, const FitReport& report) {
+  for (const auto& [flag, text] : {std::pair("--export", options.engine), std::pair("--report", options.page)})
+    if (!text.empty() && !report.run)
+      throw BadInput(
+          fmt::format("{}: must be given with a scale, as these data have no collision times: --tcol, "
+                      "--stiffness, --young with --poisson, --max-overlap or --timestep with --steps",
+                      flag));
+}
+
 }  // namespace
 
 console::Exit run_fit(const Options& options) {
   take_only(options, "--fit",
-            {"--fit", "--law", "--end", "--mass-eff", "--radius", "--density", "--radius2", "--density2", "--wall",
-             "--alpha-of-speed", "--figures", "--format", "--output"});
+            flags_of({Topic::scale, Topic::impact}, {"--fit", "--law", "--end", "--match", "--wall", "--alpha-of-speed",
+                                                     "--figures", "--export", "--report", "--format", "--output"}));
   FitReport report;
-  Options spheres = options;
-  spheres.law = spheres.end = "";
-  const TargetDefaults defaults = target_defaults(spheres);
-  report.assumptions = defaults.assumptions;
-  const auto requests = requests_of(options, defaults.impact.mass_eff, report.left_out);
-  report.data = read_measurements(options.fit);
+  Measured measured = read_measurements(options.fit, {options.asked.density, options.asked.wall});
+  report.data = std::move(measured.data);
+  report.notes = std::move(measured.notes);
+  const Measurement bodies = bodies_of(options, report);
+  const auto requests = requests_of(options, bodies, report.left_out);
   fit_all(report, requests, options.fit);
+  report.run = run_of_fits(options, report.fits, report.data);
+  require_run(options, report);
   // Both are whole before either takes its place.
   std::optional<console::OutputFolder> figures;
   if (!options.figures.empty()) console::draw(figure_of(report.fits, report.data), figures.emplace(options.figures));
+  std::optional<console::AtomicFile> page;
+  if (!options.page.empty()) page.emplace(options.page).write(page_of(report));
   console::Output output(options.output.file);
-  output.write(rendered(report, options.output.format));
+  output.write(options.engine.empty() ? rendered(report, options.output.format)
+                                      : exported(*report.run, options.engine, options.output.format));
   const console::SignalsHeld held;
   if (figures) figures->commit();
+  if (page) page->commit();
   output.commit();
   return console::Exit::done;
 }

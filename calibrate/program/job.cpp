@@ -3,13 +3,12 @@
 #include <console/csv.hpp>
 #include <console/exit.hpp>
 #include <console/number.hpp>
+#include <console/quantity.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
+#include <map>
 #include <span>
 
 namespace ricochet::calibration {
@@ -18,90 +17,17 @@ namespace {
 using console::BadInput;
 using console::shortest;
 
-constexpr double default_velocity = 0.5;
-constexpr double default_mass_eff = 7.06858e-6;
-constexpr double default_radius_eff = 0.75e-3, default_density = 1000;
-
-double positive(const char* flag, double value) {
-  if (!(value > 0)) throw BadInput(flag, shortest(value), "> 0");
-  if (!(value >= least_scale && value <= greatest_scale)) throw BadInput(flag, shortest(value), range_of_scales);
-  return value;
-}
-
-/// The positive value of an option that must have been given.
-double needed(const char* flag, const std::optional<double>& value, const char* what) {
-  if (!value) throw BadInput(fmt::format("{}: missing: must be given, {}", flag, what));
-  return positive(flag, *value);
-}
-
-void refuse_with(const char* flag, const std::optional<double>& value, bool given, const char* companion) {
-  if (value && given) throw BadInput(flag, shortest(*value), fmt::format("left out with {}", companion));
-}
-
-double sphere_mass(double radius, double density) {
-  return 4 * std::numbers::pi / 3 * radius * radius * radius * density;
-}
-
-bool speaks_of_spheres(const Options& o) { return o.radius || o.density || o.radius2 || o.density2 || o.wall; }
-
-double usable_mass(double mass) {
-  if (!(mass >= least_scale && mass <= greatest_scale))
-    throw BadInput("--radius and --density: effective mass", shortest(mass) + " kg", range_of_scales);
-  return mass;
-}
-
-/// m₁m₂/(m₁+m₂), or the sphere's mass against a wall.
-double mass_of_spheres(const Options& o, Job& job) {
-  const double radius =
-      needed("--radius", o.radius, "a radius [m], > 0, with --density, --radius2, --density2 or --wall");
-  const double density = needed("--density", o.density, "a density [kg/m^3], > 0, with --radius");
-  const double mass = sphere_mass(radius, density);
-  job.radius = radius;
-  job.radius_eff = radius;
-  job.density = density;
-  if (o.wall) {
-    refuse_with("--radius2", o.radius2, true, "--wall");
-    refuse_with("--density2", o.density2, true, "--wall");
-    return mass;
-  }
-  if (!o.radius2 && !o.density2) job.assumptions.push_back("two equal spheres (--radius2, --density2, --wall)");
-  const double radius2 = positive("--radius2", o.radius2.value_or(radius));
-  const double other = sphere_mass(radius2, positive("--density2", o.density2.value_or(density)));
-  job.radius = std::min(radius, radius2);
-  job.radius_eff = radius / (1 + radius / radius2);
-  if (o.density2.value_or(density) != density) job.density.reset();
-  return mass / (1 + mass / other);
-}
-
-double mass_eff(const Options& o, Job& job) {
-  if (o.mass_eff) {
-    positive("--mass-eff", *o.mass_eff);
-    if (speaks_of_spheres(o))
-      throw BadInput("--mass-eff", shortest(*o.mass_eff), "left out with --radius, --density or --wall");
-    return *o.mass_eff;
-  }
-  if (speaks_of_spheres(o)) return usable_mass(mass_of_spheres(o, job));
-  job.assumptions.push_back(fmt::format(
-      "effective mass {} kg, two spheres of radius 1.5 mm and 1000 kg/m^3 (--mass-eff)", shortest(default_mass_eff)));
-  job.radius_eff = default_radius_eff;
-  job.density = default_density;
-  return default_mass_eff;
-}
-
-Target target_of(const Options& o, Job& job) {
-  const double tcol = needed("--tcol", o.tcol, "a collision time [s], > 0");
-  if (!o.en) throw BadInput("--en: missing: must be given, a restitution in (0, 1]");
-  if (!(*o.en > 0 && *o.en <= 1)) throw BadInput("--en", shortest(*o.en), "in (0, 1]");
-  if (!o.velocity)
-    job.assumptions.push_back(fmt::format("impact velocity {} m/s (--velocity)", shortest(default_velocity)));
-  const double velocity = positive("--velocity", o.velocity.value_or(default_velocity));
-  return {tcol, *o.en, {velocity, mass_eff(o, job)}};
+std::string joined(std::span<const std::string_view> names) {
+  if (names.size() == 1) return std::string(names.front());
+  return fmt::format("{} or {}", fmt::join(names.first(names.size() - 1), ", "), names.back());
 }
 
 std::vector<LawKind> laws_of(const Options& o) {
-  if (const auto all = LawKind::all(); o.law == "all") return {all.begin(), all.end()};
+  if (const auto all = LawKind::all(); o.law == "all" || o.law.empty()) return {all.begin(), all.end()};
   return {law_named("--law", o.law)};
 }
+
+bool alone(const Options& o) { return o.law != "all" && !o.law.empty(); }
 
 /// The asked ends that `law` offers.
 std::vector<ContactEnd> ends_of(const Options& o, LawKind law) {
@@ -114,11 +40,130 @@ std::vector<ContactEnd> ends_of(const Options& o, LawKind law) {
   return ends;
 }
 
+Infeasible left_out(LawKind law, ContactEnd end, const std::string& reason) { return {law, end, reason, "", 0, 0, 0}; }
+
+/// Every law that is asked for under the ends that it offers; one that stands alone and cannot is bad input.
+void add_wanted(Job& job, const Options& o, LawKind law) {
+  const auto ends = ends_of(o, law);
+  if (ends.empty() && alone(o)) throw BadInput("--end", o.end, "force with --law " + o.law);
+  if (ends.empty())
+    job.left_out.push_back(
+        left_out(law, ContactEnd::overlap, "the law is calibrated for a contact ended by force only"));
+  for (const auto end : ends) job.wanted.push_back({law, end});
+}
+
+std::string in_words(std::string_view name) {
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+/// A loss that only some laws have.
+bool takes_loss(Job& job, const Options& o, LawKind law) {
+  const Loss& loss = job.known.loss;
+  if (has_loss(law, loss)) return true;
+  const std::string flag = spelled(Spelling::flags, name(loss));
+  if (alone(o))
+    throw BadInput(fmt::format("{}: must be left out with --law {}; {} has one", flag, o.law, laws_with(loss)));
+  for (const auto end : ends_of(o, law))
+    job.left_out.push_back(
+        left_out(law, end, fmt::format("it has no {}; {} has", in_words(name(loss)), laws_with(loss))));
+  return false;
+}
+
+void take(Job& job, const Reading& reading, bool wall) {
+  job.known = reading.known;
+  job.stiffness = reading.stiffness;
+  job.assumptions = reading.assumptions;
+  job.radius_eff = reading.bodies.radius_eff;
+  job.density = reading.bodies.density;
+  if (reading.bodies.from_radii) job.radius = reading.bodies.smaller_radius;
+  job.wall = wall;
+}
+
+/// The values of "k=1e9,c=0.6" by name.
+std::map<std::string, double, std::less<>> values_with(const std::string& text, LawKind law) {
+  std::vector<std::string_view> names;
+  for (const Parameter& p : law.parameters()) names.push_back(p.name);
+  std::map<std::string, double, std::less<>> values;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view piece = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(rest.size(), piece.size() + 1));
+    const auto equals = piece.find('=');
+    const std::string_view name = piece.substr(0, equals);
+    const auto known = std::find_if(law.parameters().begin(), law.parameters().end(),
+                                    [&](const Parameter& p) { return p.name == name; });
+    if (equals == std::string_view::npos || known == law.parameters().end())
+      throw BadInput("--with", piece, fmt::format("NAME=VALUE, the name {} for {}", joined(names), law.name()));
+    const auto value = console::parse_quantity(piece.substr(equals + 1), known->unit());
+    if (!value) throw BadInput("--with", piece, fmt::format("a finite number [{}]", known->unit()));
+    if (!values.emplace(name, *value).second) throw BadInput(fmt::format("--with: {}: must be given once", name));
+  }
+  return values;
+}
+
+AnyLaw law_with(const Options& o) {
+  if (!alone(o)) throw BadInput("--law: missing: must be one law with --with");
+  const LawKind law = law_named("--law", o.law);
+  auto by_name = values_with(o.with, law);
+  if (law == kind_of<Fractional> && o.asked.alpha) {
+    if (!by_name.emplace("alpha", *o.asked.alpha).second)
+      throw BadInput("--alpha", shortest(*o.asked.alpha), "left out with alpha in --with");
+  }
+  std::vector<double> values;
+  for (const Parameter& p : law.parameters()) {
+    const auto found = by_name.find(p.name);
+    if (found == by_name.end()) throw BadInput(fmt::format("--with: {} missing: must be given for {}", p.name, o.law));
+    values.push_back(found->second);
+  }
+  try {
+    return law.with(values);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(fmt::format("--with: {}", error.what()));
+  }
+}
+
+Job forward_job(const Options& o) {
+  Job job;
+  job.given = law_with(o);
+  Asked asked = o.asked;
+  if (o.law == kind_of<Fractional>.name()) asked.alpha.reset();
+  for (const Topic topic : {Topic::scale, Topic::loss})
+    if (speaks_of(asked, topic))
+      for (const Field& f : fields)
+        if (f.topic == topic && (asked.*f.member || (f.member == &Asked::max_overlap && asked.overlap_share)))
+          throw BadInput(fmt::format("{}: must be left out with --with", spelled(Spelling::flags, f.name)));
+  for (const std::string flag : {"--method", "--algorithm", "--tolerance"})
+    if (std::find(o.given.begin(), o.given.end(), flag) != o.given.end())
+      throw BadInput(fmt::format("{}: must be left out with --with: nothing is searched", flag));
+  Reading reading{};
+  const double velocity = velocity_of(asked, Spelling::flags, reading.assumptions);
+  reading.bodies = bodies_of(asked, Spelling::flags, reading.assumptions);
+  reading.known.impact = {velocity, reading.bodies.mass_eff};
+  take(job, reading, asked.wall);
+  add_wanted(job, o, LawKind::of(*job.given));
+  return job;
+}
+
+std::string text_of(const scale::Moduli& m) {
+  const auto solid = [](const ElasticSolid& s) {
+    return fmt::format("E = {} Pa, nu = {}", shortest(s.young), shortest(s.poisson));
+  };
+  const bool same = m.first.young == m.second.young && m.first.poisson == m.second.poisson;
+  std::string text = same ? solid(m.first) : fmt::format("{} on {}", solid(m.first), solid(m.second));
+  if (m.soften != 1) text += fmt::format(", softened {} times", shortest(m.soften));
+  return text;
+}
+
 }  // namespace
 
-std::string law_names() {
-  const std::span all(Laws::names);
-  return fmt::format("{} or {}", fmt::join(all.first(all.size() - 1), ", "), all.back());
+std::string law_names() { return joined(Laws::names); }
+
+std::string laws_with(const Loss& loss) {
+  std::vector<std::string_view> names;
+  for (const LawKind law : LawKind::all())
+    if (has_loss(law, loss)) names.push_back(law.name());
+  return joined(names);
 }
 
 LawKind law_named(std::string_view flag, std::string_view name) {
@@ -133,7 +178,14 @@ ContactEnd end_named(std::string_view flag, std::string_view name) {
   throw BadInput(flag, console::excerpt(name), "overlap or force");
 }
 
-void take_only(const Options& options, std::string_view mode, std::initializer_list<std::string_view> accepted) {
+std::vector<std::string> flags_of(std::initializer_list<Topic> topics, std::vector<std::string> others) {
+  for (const Field& f : fields)
+    if (std::find(topics.begin(), topics.end(), f.topic) != topics.end())
+      others.push_back(spelled(Spelling::flags, f.name));
+  return others;
+}
+
+void take_only(const Options& options, std::string_view mode, const std::vector<std::string>& accepted) {
   for (const std::string& name : options.given)
     if (std::find(accepted.begin(), accepted.end(), name) == accepted.end())
       throw BadInput(fmt::format("{}: must be left out with {}", name, mode));
@@ -141,32 +193,60 @@ void take_only(const Options& options, std::string_view mode, std::initializer_l
 
 TargetDefaults target_defaults(const Options& o) {
   TargetDefaults defaults;
-  Job job;
   if (!o.law.empty()) defaults.law = law_named("--law", o.law);
   if (!o.end.empty()) defaults.end = end_named("--end", o.end);
-  defaults.impact = {positive("--velocity", o.velocity.value_or(default_velocity)), mass_eff(o, job)};
-  defaults.assumptions = job.assumptions;
-  if (o.stiffness) defaults.stiffness = positive("--stiffness", *o.stiffness);
+  defaults.asked = o.asked;
+  std::vector<std::string> assumptions;
+  defaults.asked.velocity = velocity_of(o.asked, Spelling::flags, assumptions);
+  bodies_of(o.asked, Spelling::flags, assumptions);
   return defaults;
 }
 
 Job job_of(const Options& o) {
+  if (!o.with.empty()) return forward_job(o);
   Job job;
-  job.target = target_of(o, job);
-  if (o.stiffness) positive("--stiffness", *o.stiffness);
-  if (o.stiffness && o.law != "all" && o.law != "fractional")
-    throw BadInput("--stiffness", shortest(*o.stiffness),
+  take(job, read(o.asked, Spelling::flags), o.asked.wall);
+  if (job.stiffness && alone(o) && o.law != kind_of<Fractional>.name())
+    throw BadInput("--stiffness", shortest(*job.stiffness),
                    fmt::format("left out with --law {}; only fractional holds a k", o.law));
-  for (const auto law : laws_of(o)) {
-    const auto ends = ends_of(o, law);
-    if (ends.empty() && o.law != "all") throw BadInput("--end", o.end, "force with --law " + o.law);
-    if (ends.empty()) job.left_out.push_back(law);
-    for (const auto end : ends) job.requests.push_back({law, end, job.target, o.stiffness});
-  }
-  if (!o.stiffness && std::any_of(job.requests.begin(), job.requests.end(),
-                                  [](const Request& r) { return r.law == kind_of<Fractional>; }))
+  for (const auto law : laws_of(o))
+    if (takes_loss(job, o, law)) add_wanted(job, o, law);
+  const bool holds = !job.stiffness && !stiffness(kind_of<Fractional>, job.known.scale, job.known.impact);
+  if (holds &&
+      std::any_of(job.wanted.begin(), job.wanted.end(), [](const Wanted& w) { return w.law == kind_of<Fractional>; }))
     job.assumptions.push_back("the fractional law holds the k of the linear law ended by force (--stiffness)");
   return job;
+}
+
+std::string asked_text(const Job& job) {
+  if (!job.title.empty()) return job.title;
+  if (job.given) {
+    std::vector<std::string> all;
+    for (const auto& p : parameters(*job.given))
+      all.push_back(fmt::format("{} = {}{}{}", p.name, shortest(p.value), p.unit.empty() ? "" : " ", p.unit));
+    return fmt::format("{} with {}", name(*job.given), fmt::join(all, ", "));
+  }
+  struct ScaleText {
+    std::string operator()(const scale::CollisionTime& s) const { return fmt::format("tcol = {} s", shortest(s.tcol)); }
+    std::string operator()(const scale::Stiffness& s) const { return fmt::format("stiffness = {}", shortest(s.k)); }
+    std::string operator()(const scale::Moduli& s) const { return text_of(s); }
+    std::string operator()(const scale::MaxOverlap& s) const {
+      return fmt::format("greatest overlap = {} m", shortest(s.length));
+    }
+  };
+  struct LossText {
+    std::string operator()(const loss::Restitution& l) const { return fmt::format("en = {}", shortest(l.en)); }
+    std::string operator()(const loss::LossFactor& l) const {
+      return fmt::format("tan delta = {}", shortest(l.tan_delta));
+    }
+    std::string operator()(const loss::DampingRatio& l) const {
+      return fmt::format("damping ratio = {}", shortest(l.ratio));
+    }
+    std::string operator()(const loss::ConversionDegree& l) const {
+      return fmt::format("alpha = {}", shortest(l.alpha));
+    }
+  };
+  return fmt::format("{}, {}", std::visit(ScaleText{}, job.known.scale), std::visit(LossText{}, job.known.loss));
 }
 
 }  // namespace ricochet::calibration

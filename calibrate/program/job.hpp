@@ -1,5 +1,7 @@
 #pragma once
 
+#include "asked.hpp"
+
 #include <calibrate/calibration.hpp>
 #include <console/program.hpp>
 
@@ -15,11 +17,20 @@ class App;
 
 namespace ricochet::calibration {
 
+/// A number that was given as a list, and where its values go, one after the other.
+struct Curve {
+  std::string flag;
+  const Field* field;
+  std::optional<double> Asked::*member;
+  std::vector<double> values;
+};
+
 /// The command line as it was typed.
 struct Options {
-  std::optional<double> tcol, en, velocity, mass_eff, radius, density, radius2, density2, stiffness;
-  bool wall = false;
+  Asked asked;
+  std::optional<Curve> curve;
   std::string law, end;  ///< empty: not given
+  std::string with;      ///< parameters of --with; empty: none
   Settings settings;
   std::string method;   ///< empty: not given
   std::string targets;  ///< the file of --targets; empty: none
@@ -29,6 +40,7 @@ struct Options {
   std::vector<std::string> given;  ///< the options that were typed, "--law"
   std::string engine;              ///< of --export; empty: none
   std::string page;                ///< of --report; empty: none
+  std::string materials;           ///< the file of --materials; empty: none
   console::OutputOptions output;
 };
 
@@ -36,28 +48,41 @@ struct Options {
 void add_options(CLI::App& app, Options& options);
 
 /// Throws console::BadInput naming the first option that was typed and is none of `accepted`, which go with `mode`.
-void take_only(const Options& options, std::string_view mode, std::initializer_list<std::string_view> accepted);
+void take_only(const Options& options, std::string_view mode, const std::vector<std::string>& accepted);
+/// The flags of a topic, "--velocity", "--mass-eff", …, and `others`.
+std::vector<std::string> flags_of(std::initializer_list<Topic> topics, std::vector<std::string> others);
+
+/// A law and end that is asked for.
+struct Wanted {
+  LawKind law;
+  ContactEnd end;
+};
 
 /// What the options ask for, with the defaults that had to be assumed in words.
 struct Job {
-  Target target;
-  std::vector<Request> requests;
-  std::vector<LawKind> left_out;  ///< laws of "all" that do not offer the asked end
+  Known known;                       ///< scale and loss: of a calibration; the impact: always
+  std::optional<AnyLaw> given = {};  ///< the law of --with, whose collision alone is asked for
+  std::optional<double> stiffness;   ///< beside a collision time: the k that the fractional law holds
+  std::vector<Wanted> wanted;
+  std::vector<Infeasible> left_out;  ///< laws of "all" that do not offer the asked end or loss
   std::vector<std::string> assumptions;
   std::optional<double> radius_eff, density;  ///< where they are known: r₁r₂/(r₁+r₂) [m], of both spheres [kg/m³]
   std::optional<double> radius;               ///< of the smaller sphere, where radii were given [m]
+  bool wall = false;                          ///< the contact is one of the sphere with a wall
+  std::string title = {};                     ///< what was asked for, where that is not `known`
 };
 
 /// Throws console::BadInput naming flag, value and what is accepted.
 Job job_of(const Options& options);
 
+/// "tcol = 1e-04 s, en = 0.5", or what else was asked for, or of which law.
+std::string asked_text(const Job& job);
+
 /// What a row of a file takes where it has no such column, or the field is empty.
 struct TargetDefaults {
   LawKind law = kind_of<Fractional>;
   ContactEnd end = ContactEnd::force;
-  Impact impact;
-  std::optional<double> stiffness = {};
-  std::vector<std::string> assumptions = {};  ///< what of the mass had to be assumed, in words
+  Asked asked = {};
 };
 
 /// Throws as job_of does.
@@ -68,5 +93,7 @@ std::string law_names();
 /// The law of that name; throws console::BadInput with `flag`.
 LawKind law_named(std::string_view flag, std::string_view name);
 ContactEnd end_named(std::string_view flag, std::string_view name);
+/// The laws that have such a loss: "linear or tsuji".
+std::string laws_with(const Loss& loss);
 
 }  // namespace ricochet::calibration

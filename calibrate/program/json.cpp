@@ -26,25 +26,65 @@ Json identifiable_names(const AnyLaw& law) {
   return names;
 }
 
-Json json_of(const Calibration& r) {
+Json json_of(const scale::Moduli& m) {
+  return {{"young", {m.first.young, m.second.young}},
+          {"poisson", {m.first.poisson, m.second.poisson}},
+          {"radius_eff", m.radius_eff},
+          {"soften", m.soften},
+          {"match", m.linear == LinearMatch::time ? "time" : "overlap"}};
+}
+
+/// tcol and en where they were asked for, else null and what was asked for instead.
+Json target_of(const Job& job) {
+  if (job.given) return nullptr;
+  const Known& known = job.known;
+  const auto* time = std::get_if<scale::CollisionTime>(&known.scale);
+  const auto* en = std::get_if<loss::Restitution>(&known.loss);
+  Json out{{"tcol", time ? Json(time->tcol) : Json(nullptr)},
+           {"en", en ? Json(en->en) : Json(nullptr)},
+           {"velocity", known.impact.velocity},
+           {"mass_eff", known.impact.mass_eff}};
+  if (const auto* s = std::get_if<scale::Stiffness>(&known.scale)) out["stiffness"] = s->k;
+  if (const auto* s = std::get_if<scale::MaxOverlap>(&known.scale)) out["max_overlap"] = s->length;
+  if (const auto* s = std::get_if<scale::Moduli>(&known.scale)) out["moduli"] = json_of(*s);
+  if (const auto* l = std::get_if<loss::LossFactor>(&known.loss)) out["loss_factor"] = l->tan_delta;
+  if (const auto* l = std::get_if<loss::DampingRatio>(&known.loss)) out["damping_ratio"] = l->ratio;
+  if (const auto* l = std::get_if<loss::ConversionDegree>(&known.loss)) out["alpha"] = l->alpha;
+  return out;
+}
+
+/// How the parameters were found: nothing where they were given.
+void add_search(Json& out, const Calibration& r) {
+  out["evaluations"] = r.evaluations;
+  out["method"] = text(r.method);
+  out["algorithm"] = r.algorithm;
+  out["cross_check"] = {{"method", text(r.cross_method)}, {"max_relative_difference", r.cross_difference}};
+}
+
+Json json_of(const Calibration& r, bool given) {
   Json out;
   out["law"] = name(r.law);
   out["end"] = text(r.end);
   out["parameters"] = named_values(parameters(r.law));
   out["units"] = units_of(r.law);
+  out["target"] = given ? Json(nullptr) : Json{{"tcol", r.request.target.tcol}, {"en", r.request.target.en}};
   out["achieved"] = {{"tcol", r.achieved.tcol}, {"en", r.achieved.en}};
-  out["residual"] = {{"tcol", r.tcol_residual}, {"en", r.en_residual}};
+  out["residual"] = given ? Json(nullptr) : Json{{"tcol", r.tcol_residual}, {"en", r.en_residual}};
   out["max_overlap"] = r.achieved.max_overlap;
   out["max_force"] = r.achieved.max_force;
   out["overlap_end"] = r.achieved.overlap_end;
   if (r.tcol_estimate) out["tcol_estimate"] = *r.tcol_estimate;
-  out["evaluations"] = r.evaluations;
-  out["method"] = text(r.method);
-  out["algorithm"] = r.algorithm;
-  out["cross_check"] = {{"method", text(r.cross_method)}, {"max_relative_difference", r.cross_difference}};
+  if (!given) add_search(out, r);
   out["identifiable"] = identifiable_names(r.law);
   if (!r.remarks.empty()) out["remarks"] = r.remarks;
   return out;
+}
+
+Json json_of(const std::vector<EngineStep>& steps) {
+  Json all = Json::array();
+  for (const EngineStep& s : steps)
+    all.push_back({{"engine", s.engine}, {"error_en", s.error_en}, {"step", s.step ? Json(*s.step) : Json()}});
+  return all;
 }
 
 Json json_of(const Infeasible& missed) {
@@ -55,24 +95,31 @@ Json json_of(const Infeasible& missed) {
 
 }  // namespace
 
-std::string json_of(const Report& report) {
-  const auto& target = report.job.target;
+Json document_of(const Report& report) {
   Json out;
   out["schema"] = "ricochet/calibration/1";
-  out["target"] = {{"tcol", target.tcol},
-                   {"en", target.en},
-                   {"velocity", target.impact.velocity},
-                   {"mass_eff", target.impact.mass_eff}};
-  out["units"] = {{"tcol", "s"},        {"velocity", "m/s"}, {"mass_eff", "kg"},    {"max_overlap", "m"},
-                  {"overlap_end", "m"}, {"max_force", "N"},  {"tcol_estimate", "s"}};
+  out["target"] = target_of(report.job);
+  if (report.job.given)
+    out["impact"] = {{"velocity", report.job.known.impact.velocity}, {"mass_eff", report.job.known.impact.mass_eff}};
+  out["units"] = {{"tcol", "s"},        {"velocity", "m/s"},   {"mass_eff", "kg"},     {"max_overlap", "m"},
+                  {"overlap_end", "m"}, {"max_force", "N"},    {"tcol_estimate", "s"}, {"timestep.step", "s"},
+                  {"hertz_time", "s"},  {"rayleigh_time", "s"}};
   out["assumed"] = report.job.assumptions;
   out["results"] = Json::array();
-  for (const auto& result : report.results) out["results"].push_back(json_of(result));
+  for (const Calibration& r : report.results) {
+    Json result = json_of(r, report.job.given.has_value());
+    result["timestep"] = json_of(engine_steps(r.law, r.end, r.request.target));
+    if (const auto time = hertz_time_of(r.law, report.job.known.impact)) result["hertz_time"] = *time;
+    out["results"].push_back(result);
+  }
+  if (const auto time = rayleigh_of(report.job)) out["rayleigh_time"] = *time;
   out["infeasible"] = Json::array();
   for (const auto& missed : report.infeasible) out["infeasible"].push_back(json_of(missed));
   for (const auto& failure : report.failed)
     out["failed"].push_back({{"law", failure.law.name()}, {"end", text(failure.end)}, {"reason", failure.reason}});
-  return console::document(out);
+  return out;
 }
+
+std::string json_of(const Report& report) { return console::document(document_of(report)); }
 
 }  // namespace ricochet::calibration

@@ -1,4 +1,6 @@
+#include "curve.hpp"
 #include "fit_report.hpp"
+#include "materials.hpp"
 #include "report.hpp"
 #include "targets.hpp"
 
@@ -9,7 +11,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 using namespace ricochet;
 using namespace ricochet::calibration;
@@ -20,7 +25,32 @@ std::string lone_failure(const Infeasible& missed) {
   return fmt::format("--law {} --end {}: {}", missed.law.name(), text(missed.end), explained(missed));
 }
 
+/// What no law reaches is an error; where other laws did reach it, that answers the question.
+void require_results(const std::vector<Report>& reports) {
+  if (std::any_of(reports.begin(), reports.end(), [](const Report& r) { return !r.results.empty(); })) return;
+  const Report& first = reports.front();
+  if (!first.failed.empty()) throw console::Failed(first.failed.front().reason);
+  throw console::Unreachable(lone_failure(first.infeasible.front()));
+}
+
+console::Exit draw_curve(const Options& options) {
+  for (const auto& [flag, text] : {std::pair("--export", options.engine), std::pair("--report", options.page)})
+    if (!text.empty())
+      throw console::BadInput(fmt::format("{}: must be left out with a list in {}", flag, options.curve->flag));
+  const CurveReport report = run_curve(options);
+  console::Output output(options.output.file);
+  output.write(render(report, options.output.format));
+  const console::SignalsHeld held;
+  output.commit();
+  require_results(report.reports);
+  return console::Exit::done;
+}
+
 console::Exit work(Options& options) {
+  if (!options.materials.empty()) return run_materials(options);
+  if (options.curve && !(options.fit.empty() && options.targets.empty()))
+    throw console::BadInput(fmt::format("{}: must be one number with {}", options.curve->flag,
+                                        options.fit.empty() ? "--targets" : "--fit"));
   if (!options.fit.empty()) return run_fit(options);
   if (options.alpha_of_speed || !options.figures.empty())
     throw console::BadInput("--alpha-of-speed and --figures: must be left out without --fit");
@@ -29,6 +59,7 @@ console::Exit work(Options& options) {
     throw console::BadInput("--threads", fmt::format_int(*options.threads).str(), "left out without --targets");
   if (options.law.empty()) options.law = "all";
   options.settings.method = options.method == "direct" ? Method::direct : Method::nlopt;
+  if (options.curve) return draw_curve(options);
   const Report report = run(job_of(options), options.settings);
   // Both are whole before either takes its place.
   std::optional<console::AtomicFile> page;
@@ -39,16 +70,15 @@ console::Exit work(Options& options) {
   const console::SignalsHeld held;
   if (page) page->commit();
   output.commit();
-  // Other laws that did reach the target answer the question; only a lone law that cannot is an error.
-  if (report.results.empty() && !report.failed.empty()) throw console::Failed(report.failed.front().reason);
-  if (report.results.empty()) throw console::Unreachable(lone_failure(report.infeasible.front()));
+  require_results({report});
   return console::Exit::done;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Finds the parameters of contact laws for a collision time and a restitution", "calibrate");
+  CLI::App app("Finds the parameters of contact laws from one scale and one loss, or what given parameters do",
+               "calibrate");
   console::add_version(app);
   Options options;
   add_options(app, options);

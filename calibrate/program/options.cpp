@@ -1,6 +1,7 @@
 #include "job.hpp"
 
 #include <console/number.hpp>
+#include <console/quantity.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,53 +25,83 @@ void add_choice(CLI::App& app, const std::string& flag, std::string& target, con
   app.add_option_function<std::string>(flag, read, fmt::format("{}: {}", description, list))->type_name("NAME");
 }
 
-/// The headings of --help, in its order.
-void group_options(CLI::App& app) {
-  const std::pair<const char*, std::vector<const char*>> groups[] = {
-      {"Target", {"--tcol", "--en", "--law", "--end", "--stiffness"}},
-      {"Impact", {"--velocity", "--mass-eff", "--radius", "--density", "--radius2", "--density2", "--wall"}},
-      {"Method", {"--method", "--algorithm", "--tolerance"}},
-      {"Many targets and measured data", {"--targets", "--threads", "--fit", "--alpha-of-speed", "--figures"}},
-      {"Output", {"--export", "--report", "--format", "--output"}}};
-  for (const auto& [heading, flags] : groups)
-    for (const char* flag : flags) app.get_option(flag)->group(heading);
+/// One number goes to its place; a list becomes the one curve that a command draws.
+void take_values(Options& o, const Field& field, std::optional<double> Asked::*member, const std::string& flag,
+                 const std::vector<double>& values) {
+  if (values.size() == 1) {
+    o.asked.*member = values.front();
+    return;
+  }
+  if (!field.curve) throw std::invalid_argument("one number");
+  if (o.curve) throw std::invalid_argument(fmt::format("one number with a list in {}", o.curve->flag));
+  o.curve = Curve{flag, &field, member, values};
 }
 
-}  // namespace
+void add_field(CLI::App& app, Options& o, const Field& field) {
+  const std::string flag = spelled(Spelling::flags, field.name);
+  const auto read = [&o, &field, flag](const std::string& text) {
+    const bool share = field.member == &Asked::max_overlap && text.ends_with('%');
+    try {
+      take_values(o, field, share ? &Asked::overlap_share : field.member, flag,
+                  console::parse_quantities(text, share ? "" : field.unit));
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError(fmt::format("{} = {}: must be {}", flag, text, error.what()));
+    }
+  };
+  const std::string unit = field.unit.empty() ? "" : fmt::format(" [{}]", field.unit);
+  app.add_option_function<std::string>(flag, read, fmt::format("{}{}", field.meaning, unit))
+      ->type_name(field.curve ? "NUMBER(S)" : "NUMBER");
+}
 
-void add_options(CLI::App& app, Options& o) {
-  using console::add_number;
-  add_number(app, "--tcol", o.tcol, "collision time to reach [s]");
-  add_number(app, "--en", o.en, "restitution to reach, in (0, 1]");
-  std::vector<std::string> laws{"all"};
-  laws.insert(laws.end(), Laws::names.begin(), Laws::names.end());
-  add_choice(app, "--law", o.law, laws, "law to calibrate (default all)");
-  add_choice(app, "--end", o.end, {"overlap", "force", "both"},
-             "what ends the contact (default both for linear, force for the others)");
-  add_number(app, "--velocity", o.velocity, "impact velocity [m/s] (default 0.5)");
-  add_number(app, "--mass-eff", o.mass_eff, "effective mass m1 m2/(m1+m2) [kg] (default 7.06858e-6)");
-  add_number(app, "--radius", o.radius, "radius of the sphere [m], with --density instead of --mass-eff");
-  add_number(app, "--density", o.density, "density of the sphere [kg/m^3]");
-  add_number(app, "--radius2", o.radius2, "radius of the other sphere [m] (default --radius)");
-  add_number(app, "--density2", o.density2, "density of the other sphere [kg/m^3] (default --density)");
-  app.add_flag("--wall", o.wall, "the sphere hits a wall instead of another sphere");
-  add_number(app, "--stiffness", o.stiffness, "k that the fractional law holds [kg/s^2] (default linear's, by force)");
-  add_choice(app, "--method", o.method, {"nlopt", "direct"},
-             "method of the answer (default nlopt); the other one cross-checks it");
-  add_choice(app, "--algorithm", o.settings.algorithm, algorithms(), "NLopt's algorithm (default LN_BOBYQA)");
-  add_number(app, "--tolerance", o.settings.tolerance, "relative, in tcol and en (default 1e-10)");
-  app.add_option("--targets", o.targets,
-                 "calibrate every row of a CSV file instead: columns tcol, en and any of velocity, mass_eff, law, end, "
-                 "stiffness; directly, on all cores; - is standard input")
-      ->type_name("FILE");
-  const auto read_threads = [&o](const std::string& value) {
+void add_match(CLI::App& app, Options& o) {
+  const auto read = [&o](const std::string& value) {
+    if (value != "time" && value != "overlap")
+      throw CLI::ValidationError(fmt::format("--match = {}: must be time or overlap", value));
+    o.asked.match = value == "time" ? LinearMatch::time : LinearMatch::overlap;
+  };
+  app.add_option_function<std::string>(
+         "--match", read, "what a linear spring shares with Hertz's of --young, undamped: time (default), overlap")
+      ->type_name("NAME");
+}
+
+void add_threads(CLI::App& app, Options& o) {
+  const auto read = [&o](const std::string& value) {
     const auto number = console::parse_number(value);
     if (!number || *number < 1 || *number > 1024 || *number != std::floor(*number))
       throw CLI::ValidationError(fmt::format("--threads = {}: must be a whole number from 1 to 1024", value));
     o.threads = static_cast<unsigned>(*number);
   };
-  app.add_option_function<std::string>("--threads", read_threads, "threads of --targets (default: all cores)")
+  app.add_option_function<std::string>("--threads", read, "threads of --targets (default: all cores)")
       ->type_name("NUMBER");
+}
+
+/// The headings of --help, in its order.
+void group_options(CLI::App& app) {
+  const auto of_topic = [&](Topic topic, const char* heading) {
+    for (const Field& f : fields)
+      if (f.topic == topic) app.get_option(spelled(Spelling::flags, f.name))->group(heading);
+  };
+  of_topic(Topic::scale, "Scale, one of: --tcol, --stiffness, --young, --max-overlap, --timestep");
+  app.get_option("--match")->group("Scale, one of: --tcol, --stiffness, --young, --max-overlap, --timestep");
+  of_topic(Topic::loss, "Loss, one of");
+  of_topic(Topic::impact, "Impact");
+  const std::pair<const char*, std::vector<const char*>> groups[] = {
+      {"Law", {"--law", "--end", "--with"}},
+      {"Impact", {"--wall"}},
+      {"Method", {"--method", "--algorithm", "--tolerance"}},
+      {"Many targets and measured data",
+       {"--targets", "--threads", "--fit", "--alpha-of-speed", "--figures", "--materials"}},
+      {"Output", {"--export", "--report", "--format", "--output"}}};
+  for (const auto& [heading, flags] : groups)
+    for (const char* flag : flags) app.get_option(flag)->group(heading);
+}
+
+void add_files(CLI::App& app, Options& o) {
+  app.add_option("--targets", o.targets,
+                 "calibrate every row of a CSV file instead: columns named as the flags above, tcol, en, max_overlap, "
+                 "…, and law, end; directly, on all cores; - is standard input")
+      ->type_name("FILE");
+  add_threads(app, o);
   app.add_option("--fit", o.fit,
                  "fit the laws to a CSV file of measurements instead: columns velocity, en and any of en_sigma, tcol, "
                  "tcol_sigma")
@@ -79,6 +110,32 @@ void add_options(CLI::App& app, Options& o) {
                "with --fit: the fractional law also with an alpha that follows the speed");
   app.add_option("--figures", o.figures, "with --fit: also draw measurements, fits and residuals into this folder")
       ->type_name("DIR");
+  app.add_option(
+         "--materials", o.materials,
+         "calibrate every pair of a JSON file of materials, grains and walls, instead; with --export an engine's "
+         "whole contact block")
+      ->type_name("FILE");
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, Options& o) {
+  for (const Field& field : fields) add_field(app, o, field);
+  add_match(app, o);
+  std::vector<std::string> laws{"all"};
+  laws.insert(laws.end(), Laws::names.begin(), Laws::names.end());
+  add_choice(app, "--law", o.law, laws, "law to calibrate (default all)");
+  add_choice(app, "--end", o.end, {"overlap", "force", "both"},
+             "what ends the contact (default both for linear, force for the others)");
+  app.add_option("--with", o.with,
+                 "the other way round: what --law does with these parameters, in its own units; no scale and no loss")
+      ->type_name("NAME=VALUE,…");
+  app.add_flag("--wall", o.asked.wall, "the sphere hits a wall instead of another sphere");
+  add_choice(app, "--method", o.method, {"nlopt", "direct"},
+             "method of the answer (default nlopt); the other one cross-checks it");
+  add_choice(app, "--algorithm", o.settings.algorithm, algorithms(), "NLopt's algorithm (default LN_BOBYQA)");
+  console::add_number(app, "--tolerance", o.settings.tolerance, "relative, in tcol and en (default 1e-10)");
+  add_files(app, o);
   add_choice(app, "--export", o.engine, {"liggghts", "lammps", "yade", "mercurydpm", "mfix"},
              "write the laws in an engine's own language instead");
   app.add_option("--report", o.page, "also write a page with curves, sensitivities, time steps and export snippets")

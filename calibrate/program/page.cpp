@@ -23,8 +23,6 @@ using console::escaped;
 using console::Notation;
 using console::Table;
 
-constexpr std::array bounds{0.05, 0.01, 0.001};  ///< errors of e_n that the time step is given for
-
 std::string title_of(const Calibration& r) { return fmt::format("{}, ended by {}", name(r.law), text(r.end)); }
 
 /// The curves of one law up to the end of its contact; those of the fractional law are the closed form.
@@ -57,17 +55,18 @@ console::Figure curves_figure(const Report& report) {
   std::vector<console::Motion> motions;
   const Calibration *least = nullptr, *most = nullptr;
   for (const Calibration& r : report.results) {
-    motions.push_back({title_of(r), std::visit(Curves{report.job.target, r.achieved.tcol}, r.law)});
+    motions.push_back({title_of(r), std::visit(Curves{r.request.target, r.achieved.tcol}, r.law)});
     if (!least || r.achieved.max_force < least->achieved.max_force) least = &r;
     if (!most || r.achieved.max_force > most->achieved.max_force) most = &r;
   }
   auto figure = console::collision_panels(
       "collision", "Overlap, velocity and force during the collision, under every law.", motions);
-  figure.finding = fmt::format(
-      "All laws end after the same time with the same velocity; on the way the greatest force ranges from {} N ({}) to "
-      "{} N ({}).",
-      console::significant(least->achieved.max_force, 3), title_of(*least),
-      console::significant(most->achieved.max_force, 3), title_of(*most));
+  figure.finding = fmt::format("{} the greatest force ranges from {} N ({}) to {} N ({}).",
+                               std::holds_alternative<scale::CollisionTime>(report.job.known.scale) && !report.job.given
+                                   ? "All laws end after the same time with the same velocity; on the way"
+                                   : "The laws take times of their own;",
+                               console::significant(least->achieved.max_force, 3), title_of(*least),
+                               console::significant(most->achieved.max_force, 3), title_of(*most));
   return figure;
 }
 
@@ -76,47 +75,30 @@ Table sensitivity_table(const Report& report) {
   Table table({{"law"}, {"end"}, {"parameter"}, {"tcol changes by", "%", three}, {"en changes by", "%", three}},
               "What one percent more of a parameter does");
   for (const Calibration& r : report.results)
-    for (const Sensitivity& s : sensitivities(r.law, r.end, report.job.target.impact))
+    for (const Sensitivity& s : sensitivities(r.law, r.end, report.job.known.impact))
       table.row({std::string(name(r.law)), std::string(text(r.end)), s.parameter.name,
                  s.tcol ? console::Cell(*s.tcol) : console::blank(), s.en ? console::Cell(*s.en) : console::blank()});
   return table;
 }
 
-struct Stepping {
+/// The errors of one law by one way of stepping.
+struct Stepped {
   std::string title;
-  std::string law, end;
   std::vector<StepError> errors;
 };
 
-std::vector<Stepping> steppings(const Report& report) {
-  std::vector<Stepping> all;
-  for (const Calibration& r : report.results)
-    all.push_back({title_of(r), std::string(name(r.law)), std::string(text(r.end)),
-                   step_errors(r.law, r.end, report.job.target)});
+std::vector<Stepped> steppings(const Report& report) {
+  std::vector<Stepped> all;
+  for (const Calibration& r : report.results) {
+    all.push_back({title_of(r), step_errors(r.law, r.end, r.request.target)});
+    if (std::holds_alternative<Fractional>(r.law) && r.end == ContactEnd::force)
+      all.push_back(
+          {title_of(r) + ", liggghts-ricochet", step_errors(r.law, r.end, r.request.target, Stepping::located)});
+  }
   return all;
 }
 
-Table step_table(const std::vector<Stepping>& all, double tcol) {
-  std::vector<console::Column> columns{{"law"}, {"end"}};
-  for (const double bound : bounds) {
-    columns.push_back({fmt::format("steps for {} %", console::shortest(100 * bound))});
-    columns.push_back({"time step", "s", {Notation::Kind::significant, 3}});
-  }
-  Table table(columns, "Time steps a collision for a stated greatest error of e_n");
-  for (const Stepping& s : all) {
-    std::vector<console::Cell> row{s.law, s.end};
-    for (const double bound : bounds) {
-      const auto steps = steps_for(s.errors, bound);
-      row.push_back(steps ? console::Cell(std::int64_t{*steps}) : console::blank());
-      row.push_back(steps ? console::Cell(tcol / *steps) : console::blank());
-    }
-    table.row(row);
-  }
-  table.note("-: more than 1000 steps.");
-  return table;
-}
-
-console::Figure step_figure(const std::vector<Stepping>& all) {
+console::Figure step_figure(const std::vector<Stepped>& all) {
   std::string csv = "law,steps,error of en\n";
   console::Panel panel{.x = {.label = "time steps a collision, t_{col}/Δt", .log = true},
                        .y = {.label = "greatest relative error of e_n", .log = true, .format = "%g"},
@@ -138,19 +120,12 @@ console::Figure step_figure(const std::vector<Stepping>& all) {
       .data = {{"steps.csv", csv}},
       .width = 960,
       .height = 460};
-  const auto worst = std::max_element(all.begin(), all.end(), [](const Stepping& a, const Stepping& b) {
-    return a.errors[5].error < b.errors[5].error;
-  });
-  figure.finding = fmt::format(
-      "With {} steps a collision the error is {} % at worst ({}); from 100 to 1000 steps it falls like the step to the "
-      "power {}.",
-      worst->errors[5].steps, console::significant(100 * worst->errors[5].error, 2), worst->title,
-      console::fixed(std::log10(worst->errors[9].error / worst->errors[15].error), 2));
+  const auto last = [](const Stepped& s) { return s.errors.back().steps; };
+  const auto worst =
+      std::max_element(all.begin(), all.end(), [&](const Stepped& a, const Stepped& b) { return last(a) < last(b); });
+  figure.finding = fmt::format("{} wants the most steps: with {} the error is {} %.", worst->title, last(*worst),
+                               console::significant(100 * worst->errors.back().error, 2));
   return figure;
-}
-
-std::string target_text(const Target& target) {
-  return fmt::format("tcol = {} s, en = {}", console::shortest(target.tcol), console::shortest(target.en));
 }
 
 std::string snippets(const Report& report) {
@@ -159,26 +134,27 @@ std::string snippets(const Report& report) {
 )";
   for (const Engine engine : engines()) {
     const std::string word(text(engine));
-    html += fmt::format(
-        "<h3>{}</h3>\n{}", escaped(version(engine)),
-        console::html_code("code-" + word, "Input for " + word, exported(report, word, console::Format::table)));
+    html += fmt::format("<h3>{}</h3>\n{}", escaped(version(engine)),
+                        console::html_code("code-" + word, "Input for " + word, exported(report, engine)));
   }
   return html;
 }
 
-std::string head(const Target& target) {
+std::string head(const Job& job, const std::string& before) {
   return fmt::format(
       R"(<header>
 <h1>Contact laws for a measured rebound</h1>
 <p class="lead">{} at {} m/s, effective mass {} kg</p>
-<p>Parameters of every contact law that make a collision take this time and keep this share of the velocity, proved by)"
-      R"( an independent numerical collision.</p>
+<p>{}</p>
 </header>
 <main id="content">
-<h2 id="parameters">Parameters</h2>
+{}<h2 id="parameters">Parameters</h2>
 )",
-      escaped(target_text(target)), console::shortest(target.impact.velocity),
-      console::significant(target.impact.mass_eff, 9));
+      escaped(asked_text(job)), console::shortest(job.known.impact.velocity),
+      console::significant(job.known.impact.mass_eff, 9),
+      job.given ? "What a law of these parameters does."
+                : "Parameters of every contact law that meet this, proved by an independent numerical collision.",
+      before);
 }
 
 /// What the laws do: curves, sensitivities, time steps, and the engines' input.
@@ -191,19 +167,18 @@ std::string about_laws(const Report& report) {
 {}<h2 id="step">Which time step</h2>
 <p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force from the position at the end of the step)"
       R"( and the velocity at its middle, a contact found once the bodies overlap. The error is the greatest over)"
-      R"( sixteen places of the first touch within a step. liggghts-ricochet locates the touch and needs fewer)"
-      R"( steps for the fractional law than this table says.</p>
-{}{}{})",
+      R"( sixteen places of the first touch within a step. liggghts-ricochet locates touch and end. The table of)"
+      R"( time steps above is read off these curves.</p>
+{}{})",
       console::html_figure(curves, console::svg_of(curves), {}),
       console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}),
-      console::html_table(step_table(all, report.job.target.tcol), {.id = "steps", .shown = 40}),
       console::html_figure(steps, console::svg_of(steps), {}), snippets(report));
 }
 
 }  // namespace
 
-std::string page_of(const Report& report) {
-  std::string body = head(report.job.target);
+std::string page_of(const Report& report, const std::string& before) {
+  std::string body = head(report.job, before);
   const auto tables = tables_of(report);
   for (std::size_t i = 0; i < tables.size(); ++i)
     body += console::html_table(tables[i], {.id = fmt::format("table-{}", i + 1), .shown = 40});
@@ -215,7 +190,7 @@ std::string page_of(const Report& report) {
 <footer><p>Ricochet. SI units.</p></footer>
 )",
                       console::html_code("code-json", "The calibration as JSON", json_of(report)));
-  return console::html_page(fmt::format("Contact laws for {}", target_text(report.job.target)), body);
+  return console::html_page(fmt::format("Contact laws for {}", asked_text(report.job)), body);
 }
 
 }  // namespace ricochet::calibration

@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include <calibrate/given_law.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -7,25 +8,36 @@
 namespace ricochet::calibration {
 namespace {
 
-Infeasible not_offered(LawKind law) {
-  return {law, ContactEnd::overlap, "the law is calibrated for a contact ended by force only", "", 0, 0, 0};
+Outcome outcome_of(const Job& job, const Wanted& wanted, const Settings& settings) {
+  if (job.given) return answer(*job.given, wanted.end, job.known.impact);
+  const auto asked = request_of(wanted.law, wanted.end, job.known);
+  if (const auto* missed = std::get_if<Infeasible>(&asked)) return *missed;
+  Request request = std::get<Request>(asked);
+  if (wanted.law == kind_of<Fractional> && job.stiffness) request.stiffness = job.stiffness;
+  return calibrate(request, settings);
 }
 
 }  // namespace
 
 Report run(const Job& job, const Settings& settings) {
   Report report{job, {}, {}};
-  for (const auto& request : job.requests) {
+  for (const Wanted& wanted : job.wanted) {
     try {
-      const Outcome outcome = calibrate(request, settings);
+      const Outcome outcome = outcome_of(job, wanted, settings);
       if (const auto* result = std::get_if<Calibration>(&outcome)) report.results.push_back(*result);
       if (const auto* missed = std::get_if<Infeasible>(&outcome)) report.infeasible.push_back(*missed);
     } catch (const NotConverged& failure) {
-      report.failed.push_back({request.law, request.end, failure.what()});
+      report.failed.push_back({wanted.law, wanted.end, failure.what()});
     }
   }
-  for (const auto law : job.left_out) report.infeasible.push_back(not_offered(law));
+  report.infeasible.insert(report.infeasible.end(), job.left_out.begin(), job.left_out.end());
   return report;
+}
+
+std::optional<double> rayleigh_of(const Job& job) {
+  const auto* moduli = std::get_if<scale::Moduli>(&job.known.scale);
+  if (job.given || !moduli || !job.density || !job.radius) return std::nullopt;
+  return rayleigh_time(*job.radius, *job.density, moduli->first.young / moduli->soften, moduli->first.poisson);
 }
 
 std::string explained(const Infeasible& missed) {

@@ -2,6 +2,9 @@
 
 #include "job.hpp"
 
+#include <calibrate/advice.hpp>
+#include <calibrate/export.hpp>
+#include <console/json.hpp>
 #include <console/table.hpp>
 
 #include <string>
@@ -27,22 +30,32 @@ struct Report {
 /// One law's failure leaves the others' results as they are.
 Report run(const Job& job, const Settings& settings);
 
+/// Rayleigh's time of the smaller sphere [s], where its moduli, density and radius are known.
+std::optional<double> rayleigh_of(const Job& job);
+
 /// "en = 0.01: must be in [0.2, 1]: <why>"
 std::string explained(const Infeasible& missed);
 
-/// The laws found in the language of `engine`, as one file to include or as JSON. Throws console::BadInput for another
-/// format.
+/// The laws found in the language of `engine`, as one file to include; comments alone where it has none of them.
+std::string exported(const Report& report, Engine engine);
+/// Snippets as one file or as JSON. Throws console::BadInput for another format, console::Unreachable where the engine
+/// can be given none of them.
+std::string exported(const std::vector<Snippet>& snippets, Engine engine, console::Format format);
+/// Those of a report, which also says what it did not find. Throws as above.
 std::string exported(const Report& report, const std::string& engine, console::Format format);
 
-/// For people: parameters, collisions, checks, in several captioned tables.
+/// For people: parameters and collisions.
+std::vector<console::Table> law_tables(const Report& report);
+/// The same with checks, time steps and what was out of reach.
 std::vector<console::Table> tables_of(const Report& report);
 /// For spreadsheets: one row a law and end.
 console::Table csv_of(const Report& report);
 /// "ricochet/calibration/1".
+console::Json document_of(const Report& report);
 std::string json_of(const Report& report);
 
-/// The same and more as one page that loads nothing: curves, sensitivity, time steps, export snippets.
-std::string page_of(const Report& report);
+/// The same and more as one page that loads nothing, `before` (HTML) ahead of it: curves, sensitivity, time steps, export snippets.
+std::string page_of(const Report& report, const std::string& before = {});
 
 std::string render(const Report& report, console::Format format);
 

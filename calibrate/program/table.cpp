@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 namespace ricochet::calibration {
 namespace {
 
@@ -19,11 +23,11 @@ std::string end_of(const Calibration& r) { return std::string(text(r.end)); }
 
 /// One line a parameter, since every law has its own units.
 Table parameter_table(const Report& report) {
-  const auto& [tcol, en, impact] = report.job.target;
-  using console::shortest;
+  const Impact& impact = report.job.known.impact;
   Table table({{"law"}, {"end"}, {"parameter"}, {"value", "", nine}, {"unit"}},
-              fmt::format("Parameters for tcol = {} s, en = {} at {} m/s, effective mass {} kg", shortest(tcol),
-                          shortest(en), shortest(impact.velocity), console::significant(impact.mass_eff, 9)));
+              fmt::format("{}{} at {} m/s, effective mass {} kg", report.job.given ? "The law " : "Parameters for ",
+                          asked_text(report.job), console::shortest(impact.velocity),
+                          console::significant(impact.mass_eff, 9)));
   for (const auto& r : report.results)
     for (const auto& p : parameters(r.law)) table.row({law_of(r), end_of(r), p.name, p.value, p.unit});
   for (const auto& assumption : report.job.assumptions) table.note("assumed: " + assumption);
@@ -52,7 +56,7 @@ Table collision_table(const Report& report) {
                                        {"max force", "N"},
                                        {"tcol by Eq. (57)", "s"}};
   if (report.job.radius) columns.push_back({"max overlap/radius", "%", {Notation::Kind::significant, 3}});
-  Table table(columns, "What they do, by an independent numerical collision");
+  Table table(columns, report.job.given ? "What it does" : "What they do, by an independent numerical collision");
   for (const auto& r : report.results) {
     std::vector<Cell> row{law_of(r),
                           end_of(r),
@@ -89,6 +93,55 @@ Table check_table(const Report& report) {
   return table;
 }
 
+/// "liggghts, lammps": the engines of one law, which step it alike; steps that keep e_n to the bound.
+struct Advised {
+  std::string engines;
+  std::optional<double> step[std::size(step_bounds)];
+};
+
+std::vector<Advised> advised(const std::vector<EngineStep>& steps) {
+  constexpr std::size_t bounds = std::size(step_bounds);
+  std::vector<Advised> all;
+  for (std::size_t i = 0; i + bounds <= steps.size(); i += bounds) {
+    Advised one{steps[i].engine, {}};
+    for (std::size_t j = 0; j < bounds; ++j) one.step[j] = steps[i + j].step;
+    if (!all.empty() && std::equal(std::begin(one.step), std::end(one.step), std::begin(all.back().step)))
+      all.back().engines += ", " + one.engines;
+    else
+      all.push_back(one);
+  }
+  return all;
+}
+
+Table step_table(const Report& report) {
+  const Notation three{Notation::Kind::significant, 3};
+  std::vector<console::Column> columns{{"law"}, {"end"}, {"in"}};
+  for (const double bound : step_bounds) {
+    columns.push_back({fmt::format("step for {} %", console::shortest(100 * bound)), "s", three});
+    columns.push_back({"tcol/step"});
+  }
+  columns.push_back({"Hertz time", "s", three});
+  Table table(columns, "Time step that keeps en in the engines, wherever in a step the first touch falls");
+  bool missed = false;
+  for (const Calibration& r : report.results) {
+    const auto hertz = hertz_time_of(r.law, report.job.known.impact);
+    for (const Advised& a : advised(engine_steps(r.law, r.end, r.request.target))) {
+      std::vector<Cell> row{law_of(r), end_of(r), a.engines};
+      for (const auto& step : a.step) {
+        missed = missed || !step;
+        row.push_back(step ? Cell(*step) : console::blank());
+        row.push_back(step ? Cell(std::int64_t{std::lround(r.request.target.tcol / *step)}) : console::blank());
+      }
+      row.push_back(hertz ? Cell(*hertz) : console::blank());
+      table.row(row);
+    }
+  }
+  if (missed) table.note("-: more than 20000 steps a collision");
+  if (const auto time = rayleigh_of(report.job))
+    table.note(fmt::format("Rayleigh time of the smaller sphere: {} s", console::significant(*time, 3)));
+  return table;
+}
+
 Table infeasible_table(const Report& report) {
   Table table({{"law"}, {"end"}, {"why"}}, "Out of reach");
   for (const auto& missed : report.infeasible)
@@ -105,9 +158,15 @@ Table failure_table(const Report& report) {
 
 }  // namespace
 
+std::vector<Table> law_tables(const Report& report) {
+  if (report.results.empty()) return {};
+  return {parameter_table(report), collision_table(report)};
+}
+
 std::vector<Table> tables_of(const Report& report) {
-  std::vector<Table> tables;
-  if (!report.results.empty()) tables = {parameter_table(report), collision_table(report), check_table(report)};
+  std::vector<Table> tables = law_tables(report);
+  if (!report.results.empty() && !report.job.given) tables.push_back(check_table(report));
+  if (const Table steps = step_table(report); !steps.rows().empty()) tables.push_back(steps);
   if (!report.infeasible.empty()) tables.push_back(infeasible_table(report));
   if (!report.failed.empty()) tables.push_back(failure_table(report));
   return tables;

@@ -4,10 +4,12 @@
 
 #include <console/exit.hpp>
 #include <console/number.hpp>
+#include <console/quantity.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace ricochet::calibration {
 namespace {
@@ -29,11 +31,53 @@ void append_text(std::string& out, std::string_view text) {
   out += '"';
 }
 
+/// What a row says itself goes before the defaults: its own scale and its own loss put theirs away, and its mass their
+/// radii or the other way round. A k beside a collision time is no scale of its own.
+Asked with_defaults(const Asked& own, Asked defaults) {
+  if (speaks_of(own, Topic::scale)) {
+    const auto held = own.tcol ? defaults.stiffness : std::nullopt;
+    defaults = without(defaults, Topic::scale);
+    defaults.stiffness = held;
+  }
+  if (speaks_of(own, Topic::loss)) defaults = without(defaults, Topic::loss);
+  if (own.mass_eff) {
+    defaults.radius = defaults.diameter = defaults.density = defaults.radius2 = defaults.diameter2 = defaults.density2 =
+        std::nullopt;
+    defaults.wall = false;
+  }
+  if (own.radius || own.diameter) defaults.radius = defaults.diameter = std::nullopt;
+  if (own.radius2 || own.diameter2) defaults.radius2 = defaults.diameter2 = std::nullopt;
+  if (own.radius || own.diameter || own.density || own.radius2 || own.diameter2 || own.density2)
+    defaults.mass_eff = std::nullopt;
+  for (const Field& f : fields)
+    if (own.*f.member) defaults.*f.member = own.*f.member;
+  if (own.overlap_share) defaults.overlap_share = own.overlap_share;
+  return defaults;
+}
+
 }  // namespace
+
+const std::array<console::CsvColumn, TargetRows::count> TargetRows::accepted = [] {
+  std::array<console::CsvColumn, count> columns;
+  for (std::size_t i = 0; i < fields.size(); ++i) columns[i] = {.name = fields[i].name, .unit = fields[i].unit};
+  columns[law].name = "law";
+  columns[end].name = "end";
+  return columns;
+}();
 
 TargetRows::TargetRows(std::string file, const console::CsvHead& head, const TargetDefaults& defaults,
                        const DirectCalibrator& calibrator)
-    : file_(std::move(file)), defaults_(defaults), columns_(file_, head, accepted), calibrator_(calibrator) {
+    : file_(std::move(file)),
+      defaults_(defaults),
+      columns_(file_, head, accepted, console::Unknown::ignored),
+      calibrator_(calibrator) {
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (columns_.has(i)) numeric_.push_back(i);
+  Asked but_velocity = defaults_.asked;
+  but_velocity.velocity.reset();
+  nothing_by_default_ = !defaults_.asked.wall && !speaks_of(but_velocity, Topic::scale) &&
+                        !speaks_of(but_velocity, Topic::loss) && !speaks_of(but_velocity, Topic::impact);
+  require_topics(head.line);
   const bool any_law = columns_.has(law);
   for (const LawKind l : LawKind::all()) {
     if (!any_law && l != defaults_.law) continue;
@@ -48,36 +92,84 @@ TargetRows::TargetRows(std::string file, const console::CsvHead& head, const Tar
   }
 }
 
+/// A file that can't say what is wanted is told once, not row by row.
+void TargetRows::require_topics(std::size_t line) const {
+  const auto known = [&](Topic topic) {
+    return speaks_of(defaults_.asked, topic) ||
+           std::any_of(numeric_.begin(), numeric_.end(), [&](std::size_t i) { return fields[i].topic == topic; });
+  };
+  for (const auto& [topic, name, others] :
+       {std::tuple(Topic::loss, "en", "loss_factor, damping_ratio, alpha"),
+        std::tuple(Topic::scale, "tcol", "stiffness, young and poisson, max_overlap, timestep and steps")})
+    if (!known(topic))
+      throw BadInput(fmt::format("{}:{}: column {}: missing: must be given, or one of {}", file_, line, name, others));
+}
+
 std::string TargetRows::header() const {
   return fmt::format("tcol [s],en,velocity [m/s],mass_eff [kg],law,end,status,{}\n", fmt::join(parameters_, ","));
 }
 
-double TargetRows::number(Row& row, Field field, std::optional<double> otherwise) const {
-  if (row.text[field].empty() && otherwise) return *(row.number[field] = otherwise);
-  row.number[field] = columns_.number(field, row.text[field]);
-  if (!row.number[field])
-    throw BadInput(accepted[field].name, console::excerpt(row.text[field]),
-                   field == en ? "in (0, 1]" : "a number in [1e-30, 1e30]");
-  return *row.number[field];
+/// A field with a unit of its own ("20us", "1%") says it whatever the head says.
+double TargetRows::number(std::size_t column, std::string_view text, Asked& own) const {
+  const Field& field = fields[column];
+  if (field.member == &Asked::max_overlap && text.ends_with('%')) {
+    own.overlap_share = console::parse_quantity(text, "");
+    if (own.overlap_share) return *own.overlap_share;
+  }
+  auto value = columns_.number(column, text);
+  if (!value) value = console::parse_quantity(text, field.unit);
+  if (!value)
+    throw BadInput(field.name, console::excerpt(text),
+                   field.member == &Asked::en ? "in (0, 1]" : "a number in [1e-30, 1e30]");
+  own.*field.member = value;
+  return *value;
 }
 
-void TargetRows::read(Row& row) const {
-  Request& r = row.request;
-  r.target.tcol = number(row, tcol, std::nullopt);
-  r.target.en = number(row, en, std::nullopt);
-  r.target.impact = {number(row, velocity, defaults_.impact.velocity),
-                     number(row, mass_eff, defaults_.impact.mass_eff)};
-  r.law = row.text[law].empty() ? defaults_.law : law_named("law", row.text[law]);
-  r.end = row.text[end].empty() ? defaults_.end : end_named("end", row.text[end]);
-  r.stiffness = defaults_.stiffness;
-  if (!row.text[stiffness].empty()) r.stiffness = number(row, stiffness, std::nullopt);
-  if (!r.law.ends().offer(r.end))
-    throw BadInput("end", text(r.end), fmt::format("force with the law {}", r.law.name()));
+void TargetRows::numbers(const Row& row, Asked& own) const {
+  for (const std::size_t column : numeric_)
+    if (!row.text[column].empty()) number(column, row.text[column], own);
+}
+
+Asked TargetRows::asked_by(const Row& row) const {
+  if (nothing_by_default_) {  // as of most files, whose rows are many
+    Asked asked = defaults_.asked;
+    numbers(row, asked);
+    return asked;
+  }
+  Asked own;
+  numbers(row, own);
+  return with_defaults(own, defaults_.asked);
+}
+
+std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
+  row.asked = asked_by(row);
+  const Reading reading = calibration::read(*row.asked, Spelling::columns);
+  row.mass_eff = reading.bodies.mass_eff;
+  const LawKind kind = row.text[law].empty() ? defaults_.law : law_named("law", row.text[law]);
+  const ContactEnd by = row.text[end].empty() ? defaults_.end : end_named("end", row.text[end]);
+  if (!kind.ends().offer(by)) throw BadInput("end", text(by), fmt::format("force with the law {}", kind.name()));
+  if (reading.stiffness && !defaults_.asked.stiffness && kind != kind_of<Fractional>)
+    throw BadInput("stiffness", console::shortest(*reading.stiffness),
+                   fmt::format("left out with tcol and the law {}; only fractional holds a k", kind.name()));
+  if (!has_loss(kind, reading.known.loss))
+    throw BadInput(fmt::format("{}: must be left out with the law {}; {} has one", name(reading.known.loss),
+                               kind.name(), laws_with(reading.known.loss)));
+  const auto request = request_of(kind, by, reading.known, calibrator_);
+  if (const auto* missed = std::get_if<Infeasible>(&request)) return *missed;
+  row.request = std::get<Request>(request);
+  if (reading.stiffness) row.request.stiffness = reading.stiffness;
+  row.solved = true;
+  return calibrator_(row.request);
 }
 
 void TargetRows::write(std::string& out, const Row& row, std::string_view status, const AnyLaw* found) const {
-  for (const Field field : {tcol, en, velocity, mass_eff}) {
-    if (row.number[field]) append_shortest(out, *row.number[field]);
+  static const Asked nothing;
+  const Asked& asked = row.asked ? *row.asked : nothing;
+  const Target& target = row.request.target;
+  for (const auto& number :
+       {row.solved ? std::optional(target.tcol) : asked.tcol, row.solved ? std::optional(target.en) : asked.en,
+        asked.velocity, row.mass_eff ? row.mass_eff : asked.mass_eff}) {
+    if (number) append_shortest(out, *number);
     out += ',';
   }
   append_text(out, found ? row.request.law.name() : row.text[law]);
@@ -119,8 +211,7 @@ Answers TargetRows::answer(const console::LineBlocks::Block& block) const {
     ++answers.rows;
     try {
       columns_.split(line, row.text);
-      read(row);
-      const auto answer = calibrator_(row.request);
+      const auto answer = calibrated(row);
       if (const auto* found = std::get_if<AnyLaw>(&answer)) {
         write(answers.text, row, "calibrated", found);
         continue;

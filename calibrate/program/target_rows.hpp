@@ -34,30 +34,35 @@ class TargetRows {
 
   std::string header() const;
   Answers answer(const console::LineBlocks::Block& block) const;
+  /// Headings that are no columns of targets, whose fields are not read.
+  const std::vector<std::string>& ignored() const { return columns_.ignored(); }
 
  private:
-  enum Field : std::size_t { tcol, en, velocity, mass_eff, law, end, stiffness, count };
-  static constexpr std::array<console::CsvColumn, count> accepted{console::CsvColumn{"tcol", "s", true},
-                                                                  {"en", "", true},
-                                                                  {"velocity", "m/s"},
-                                                                  {"mass_eff", "kg"},
-                                                                  {"law"},
-                                                                  {"end"},
-                                                                  {"stiffness", "kg/s^2"}};
+  /// The columns: those of `fields`, and two words.
+  static constexpr std::size_t law = fields.size(), end = law + 1, count = end + 1;
+  static const std::array<console::CsvColumn, count> accepted;
+
   /// What a row says, as far as it could be read.
   struct Row {
     std::array<std::string_view, count> text{};
-    std::array<std::optional<double>, count> number{};
+    std::optional<Asked> asked;  // its numbers, the defaults where it has none
+    std::optional<double> mass_eff;
     Request request;
+    bool solved = false;
   };
 
-  void read(Row& row) const;
-  double number(Row& row, Field field, std::optional<double> otherwise) const;
+  void require_topics(std::size_t line) const;
+  double number(std::size_t column, std::string_view text, Asked& own) const;
+  void numbers(const Row& row, Asked& own) const;
+  Asked asked_by(const Row& row) const;
+  std::variant<AnyLaw, Infeasible> calibrated(Row& row) const;
   void write(std::string& out, const Row& row, std::string_view status, const AnyLaw* law) const;
 
   std::string file_;
   TargetDefaults defaults_;
   console::CsvColumns columns_;
+  bool nothing_by_default_ = false;                                                 // but the velocity
+  std::vector<std::size_t> numeric_;                                                // the file's columns of numbers
   std::vector<std::string> parameters_;                                             // columns of the answer
   std::array<std::array<std::size_t, Laws::most_parameters>, Laws::size> place_{};  // of a law's parameters among them
   const DirectCalibrator& calibrator_;

@@ -63,8 +63,8 @@ class Complaints {
 
 void refuse_what_is_not_for_files(const Options& o) {
   take_only(o, "--targets",
-            {"--targets", "--law", "--end", "--velocity", "--mass-eff", "--radius", "--density", "--radius2",
-             "--density2", "--wall", "--stiffness", "--method", "--threads", "--format", "--output"});
+            flags_of({Topic::scale, Topic::loss, Topic::impact}, {"--targets", "--law", "--end", "--match", "--wall",
+                                                                  "--method", "--threads", "--format", "--output"}));
   if (o.method == "nlopt") throw BadInput("--method", o.method, "direct with --targets");
   if (o.end == "both") throw BadInput("--end", o.end, "overlap or force with --targets: one row out per row in");
   if (o.law == "all") throw BadInput("--law", o.law, "a single law with --targets: one row out per row in");
@@ -84,9 +84,12 @@ console::Exit run_targets(const Options& options) {
   const auto head = console::take_csv_head(source, blocks[0]);
   if (!head)
     throw BadInput(
-        fmt::format("{}:1: header missing: must be a row of the columns tcol and en, and others", options.targets));
+        fmt::format("{}:1: header missing: must be a row of columns, a scale (tcol) and a loss (en)", options.targets));
   const DirectCalibrator calibrator;
   const TargetRows rows(options.targets, *head, defaults, calibrator);
+  if (!rows.ignored().empty())
+    console::complain("calibrate", fmt::format("{}:{}: columns that are not read: {}", options.targets, head->line,
+                                               fmt::join(rows.ignored(), ", ")));
   console::Output output(options.output.file);
   output.write(rows.header());
   console::Progress progress("calibrate", source.size());

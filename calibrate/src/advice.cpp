@@ -1,9 +1,16 @@
 #include <calibrate/advice.hpp>
 
+#include <calibrate/export.hpp>
+#include <half_step_contact.hpp>
+#include <ricochet/collision/scale_and_loss.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 #include <stdexcept>
 
 namespace ricochet::calibration {
@@ -46,17 +53,36 @@ double stepped_restitution(const Law& law, ContactEnd end, const Impact& impact,
   return std::nan("");
 }
 
-template <ContactLaw Law>
-double worst_error(const Law& law, ContactEnd end, const Target& target, int steps) {
-  constexpr int places = 16;
-  const double h = target.tcol / steps;
-  double worst = 0;
-  for (int place = 0; place < places; ++place) {
-    const double en = stepped_restitution(law, end, target.impact, h, (place + 0.5) / places, 20 * steps);
-    if (const double error = std::abs(en / target.en - 1); !(error <= worst)) worst = error;
+/// The same in liggghts-ricochet, whose contact finds both its ends.
+double located_restitution(const liggghts::HalfStepContact& contact, double coefficient, const Impact& impact, double h,
+                           double lead, int most_steps) {
+  std::array<double, liggghts::HalfStepContact::size> history{};
+  double overlap = (lead - 1) * h * impact.velocity, rate = impact.velocity, force = 0;
+  for (int n = 1; n <= most_steps; ++n) {
+    const double half = rate - 0.5 * h * force / impact.mass_eff;
+    overlap += h * half;
+    if (overlap <= 0) return -half / impact.velocity;
+    contact.advance(history.data(), n, overlap, half, h);
+    force = coefficient * contact.repulsion(history.data());
+    if (n > 1 && force <= 0) return -half / impact.velocity;
+    rate = half - 0.5 * h * force / impact.mass_eff;
   }
+  return std::nan("");
+}
+
+/// Over places of the touch: restitution(lead) against the target's.
+template <class F>
+double worst_error(const Target& target, const F& restitution) {
+  constexpr int places = 16;
+  double worst = 0;
+  for (int place = 0; place < places; ++place)
+    if (const double error = std::abs(restitution((place + 0.5) / places) / target.en - 1); !(error <= worst))
+      worst = error;
   return worst;
 }
+
+/// A contact that takes this many times the collision time does not end.
+constexpr int patience = 20;
 
 struct Stepped {
   ContactEnd end;
@@ -65,15 +91,33 @@ struct Stepped {
 
   template <class Law>
   double operator()(const Law& law) const {
-    return worst_error(law, end, target, steps);
+    const double h = target.tcol / steps;
+    return worst_error(
+        target, [&](double lead) { return stepped_restitution(law, end, target.impact, h, lead, patience * steps); });
   }
   double operator()(const Fractional& law) const {
     const double h = target.tcol / steps;
     const MemoryWindow window{h, 10 * target.tcol, 1e-6};
-    return worst_error(FractionalArms(law, affordable_kernel(law.alpha(), window, FractionalArms::max_arms), h), end,
-                       target, steps);
+    return (*this)(FractionalArms(law, affordable_kernel(law.alpha(), window, FractionalArms::max_arms), h));
   }
 };
+
+double located_error(const Fractional& law, const Target& target, int steps) {
+  constexpr int memory = 1000;  // steps, the engine's own choice
+  const double h = target.tcol / steps;
+  const liggghts::HalfStepContact contact(law.alpha(), h, memory * h);
+  return worst_error(target, [&](double lead) {
+    return located_restitution(contact, law.coefficient(), target.impact, h, lead, patience * steps);
+  });
+}
+
+void add_steps(std::vector<EngineStep>& all, std::string_view engine, const std::vector<StepError>& errors,
+               double tcol) {
+  for (const double bound : step_bounds) {
+    const auto steps = steps_for(errors, bound);
+    all.push_back({std::string(engine), bound, steps ? std::optional(tcol / *steps) : std::nullopt});
+  }
+}
 
 }  // namespace
 
@@ -95,10 +139,25 @@ std::vector<Sensitivity> sensitivities(const AnyLaw& law, ContactEnd end, const 
   return all;
 }
 
-std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Target& target) {
+std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Target& target, Stepping stepping) {
+  const auto* fractional = std::get_if<Fractional>(&law);
+  const bool located = stepping == Stepping::located;
+  if (located && (!fractional || end != ContactEnd::force))
+    throw std::invalid_argument("liggghts-ricochet locates contacts of the fractional law that end by force");
+  constexpr int decade[] = {10, 12, 15, 20, 25, 30, 40, 50, 60, 80};
+  constexpr double enough = *std::min_element(std::begin(step_bounds), std::end(step_bounds));
   std::vector<StepError> all;
-  for (const int steps : {5, 7, 10, 15, 20, 30, 40, 50, 70, 100, 150, 200, 300, 500, 700, 1000})
-    all.push_back({steps, std::visit(Stepped{end, target, steps}, law)});
+  int within = 0;
+  for (double unit = 0.1; unit < 1000; unit *= 10)
+    for (const int digit : decade) {
+      const int steps = static_cast<int>(std::lround(unit * digit));
+      if (steps < 5 || steps > 20000 || (unit < 1 && std::abs(unit * digit - steps) > 0.1)) continue;
+      const double error =
+          located ? located_error(*fractional, target, steps) : std::visit(Stepped{end, target, steps}, law);
+      all.push_back({steps, error});
+      within = error <= enough ? within + 1 : 0;
+      if (within == 3) return all;
+    }
   return all;
 }
 
@@ -106,6 +165,36 @@ std::optional<int> steps_for(const std::vector<StepError>& errors, double bound)
   std::optional<int> least;
   for (auto e = errors.rbegin(); e != errors.rend() && e->error <= bound; ++e) least = e->steps;
   return least;
+}
+
+std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Target& target) {
+  std::vector<EngineStep> all;
+  const bool fractional = std::holds_alternative<Fractional>(law);
+  if (fractional && end == ContactEnd::force)
+    add_steps(all, "liggghts-ricochet", step_errors(law, end, target, Stepping::located), target.tcol);
+  if (fractional) return all;
+  const auto errors = step_errors(law, end, target);
+  // Whether an engine has the law does not depend on the size of the grains.
+  const ExportCase what{
+      .law = law, .end = end, .tcol = target.tcol, .en = target.en, .impact = target.impact, .radius_eff = 1};
+  for (const Engine engine : engines())
+    if (engine != Engine::mfix && runs(engine, what)) add_steps(all, text(engine), errors, target.tcol);
+  return all;
+}
+
+double rayleigh_time(double radius, double density, double young, double poisson) {
+  support::require_positive("radius", radius);
+  support::require_positive("density", density);
+  support::require_positive("young", young);
+  support::require(poisson > -1 && poisson <= 0.5, "poisson", poisson, "in (-1, 0.5]");
+  const double shear_modulus = young / (2 * (1 + poisson));
+  return std::numbers::pi * radius * std::sqrt(density / shear_modulus) / (0.1631 * poisson + 0.8766);
+}
+
+std::optional<double> hertz_time_of(const AnyLaw& law, const Impact& impact) {
+  if (const auto* l = std::get_if<KuwabaraKono>(&law)) return hertz_time(l->k(), impact);
+  if (const auto* l = std::get_if<Tsuji>(&law)) return hertz_time(l->k(), impact);
+  return std::nullopt;
 }
 
 }  // namespace ricochet::calibration

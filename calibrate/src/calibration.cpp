@@ -183,7 +183,8 @@ Outcome calibrate(const Request& request, const Settings& settings) {
   const bool agrees = apart <= allowance(settings.tolerance, request.target.en);
   const bool by_search = settings.method == Method::nlopt && hit && agrees;
   const Solution& chosen = by_search ? found : direct.value();
-  Calibration out{.law = by_search ? *found_law : std::get<AnyLaw>(law),
+  Calibration out{.request = request,
+                  .law = by_search ? *found_law : std::get<AnyLaw>(law),
                   .end = request.end,
                   .achieved = {},
                   .tcol_residual = 0,

@@ -23,12 +23,16 @@ constexpr double far_off = 1e300;
 /// The data against a model, as weighted residuals of u; remembers the best u it was asked about.
 class Residuals {
  public:
-  Residuals(const FitModel& model, const std::vector<Measurement>& data) : model_(model), data_(data) {}
+  Residuals(const FitRequest& request, const FitModel& model, const std::vector<Measurement>& data)
+      : model_(model), data_(data) {
+    for (const Measurement& m : data) shots_.push_back(shot_of(request, m));
+  }
 
   VectorXd operator()(const VectorXd& u) const {
     std::vector<double> r;
-    for (const Measurement& m : data_) {
-      const Prediction p = model_.predict(u, m.velocity);
+    for (std::size_t i = 0; i < data_.size(); ++i) {
+      const Measurement& m = data_[i];
+      const Prediction p = model_.predict(u, shots_[i]);
       r.push_back((p.en - m.en) / (m.en_sigma > 0 ? m.en_sigma : 1));
       if (m.tcol > 0) r.push_back((p.tcol - m.tcol) / m.tcol_sigma);
     }
@@ -65,6 +69,7 @@ class Residuals {
  private:
   const FitModel& model_;
   const std::vector<Measurement>& data_;
+  std::vector<Shot> shots_;
 };
 
 double objective(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
@@ -112,9 +117,9 @@ void minimise(Residuals& residuals, const Box& box) {
 }
 
 /// The u of least χ²: from the best of the model's starts, begun anew until a run gains nothing.
-VectorXd least_squares(const FitModel& model, const std::vector<Measurement>& data) {
+VectorXd least_squares(const FitRequest& request, const FitModel& model, const std::vector<Measurement>& data) {
   const Box box = model.box();
-  Residuals residuals(model, data);
+  Residuals residuals(request, model, data);
   const Measurement& typical = data[data.size() / 2];
   for (const auto& start : model.starts(typical.velocity, typical.tcol))
     residuals.value(start.cwiseMax(box.low).cwiseMin(box.high));
@@ -221,8 +226,8 @@ Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data) {
   const bool with_times = data[0].tcol > 0;
   const auto model = fit_model(request, with_times);
   require_observations(request, data, model->unknowns());
-  const VectorXd u = least_squares(*model, data);
-  const Residuals residuals(*model, data);
+  const VectorXd u = least_squares(request, *model, data);
+  const Residuals residuals(request, *model, data);
   const VectorXd r = residuals(u);
 
   Fit fit{request, {}, {}, {}, r.squaredNorm(), static_cast<std::size_t>(r.size()), 0, data[0].en_sigma > 0, 0, 1};
@@ -231,7 +236,7 @@ Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data) {
   const auto names = names_of(*model, u);
   report(fit, *model, u, covariance_of(residuals.jacobian(u), names), fit.errors_known ? 1 : scatter);
   judge(fit, r);
-  for (const Measurement& m : data) fit.predictions.push_back(model->predict(u, m.velocity));
+  for (const Measurement& m : data) fit.predictions.push_back(model->predict(u, shot_of(request, m)));
   if (!with_times)
     for (Prediction& p : fit.predictions) p.tcol = 0;
   fit.solution.assign(u.begin(), u.end());
@@ -243,7 +248,7 @@ Prediction predict(const Fit& fit, double velocity) {
   support::require_positive("velocity", velocity);
   const bool with_times = fit.observations > fit.predictions.size();
   const VectorXd u = Eigen::Map<const VectorXd>(fit.solution.data(), static_cast<Index>(fit.solution.size()));
-  Prediction p = fit_model(fit.request, with_times)->predict(u, velocity);
+  Prediction p = fit_model(fit.request, with_times)->predict(u, {velocity});
   if (!with_times) p.tcol = 0;
   return p;
 }

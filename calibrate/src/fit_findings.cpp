@@ -1,6 +1,7 @@
 #include "fit_findings.hpp"
 
 #include <ricochet/support/require.hpp>
+#include <ricochet/support/text.hpp>
 
 #include <fmt/format.h>
 
@@ -64,6 +65,8 @@ void require_fit(const FitRequest& request, const std::vector<Measurement>& data
     require_scale("velocity", m.velocity);
     require(m.en > 0 && m.en <= 1, "en", m.en, "in (0, 1]");
     if (m.en_sigma != 0) require_scale("en_sigma", m.en_sigma);
+    if (m.mass_eff != 0) require_scale("mass_eff", m.mass_eff);
+    if (m.radius_eff != 0) require_scale("radius_eff", m.radius_eff);
     require((m.en_sigma > 0) == (data[0].en_sigma > 0), "en_sigma", m.en_sigma,
             "> 0 for every measurement or for none");
     require((m.tcol > 0) == (data[0].tcol > 0), "tcol", m.tcol, "> 0 for every measurement or for none");
@@ -80,6 +83,31 @@ void require_observations(const FitRequest& request, const std::vector<Measureme
   if (observations <= parameters)
     throw std::invalid_argument(fmt::format("observations = {}: must be more than the parameters of {}, {}",
                                             observations, fit_name(request), parameters));
+}
+
+double median(std::vector<double> values) {
+  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), half, values.end());
+  return *half;
+}
+
+/// A measurement ten times as far off as the middle one of them, in units of its own error where that is known (and by a hundredth at least where not): rather a
+/// slip than chance. With fewer than five nobody could say which of them is out.
+void add_outliers(std::vector<std::string>& said, const Fit& fit, const VectorXd& r,
+                  const std::vector<Measurement>& data) {
+  if (data.size() < 5) return;
+  const Index stride = data[0].tcol > 0 ? 2 : 1;
+  std::vector<double> off;
+  for (Index i = 0; i < r.size(); i += stride) off.push_back(r[i]);
+  const double middle = median(off);  // one that is far out has drawn the fit away from all the others
+  for (double& x : off) x = std::abs(x - middle);
+  const double usual = std::max(median(off), fit.errors_known ? 1.0 : 1e-3);
+  for (std::size_t i = 0; i < data.size(); ++i)
+    if (off[i] > 10 * usual)
+      said.push_back(
+          fmt::format("{}: en = {} at {} m/s lies far outside the others: a slip? The fit takes it as it is",
+                      data[i].line > 0 ? fmt::format("line {}", data[i].line) : fmt::format("measurement {}", i + 1),
+                      support::significant(data[i].en, 4), support::significant(data[i].velocity, 4)));
 }
 
 std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>& at_the_edge,
@@ -99,6 +127,7 @@ std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>
                        : "misfit: what the law leaves over follows the speed");
   else if (fit.errors_known && fit.probability < 1e-3)
     said.push_back("misfit: a chi2 this large comes by chance less than once in a thousand");
+  add_outliers(said, fit, residuals, data);
   for (const std::string& name : at_the_edge)
     said.push_back(
         fmt::format("{} has run to the end of its range: the data only tell that it is there or beyond", name));

@@ -56,7 +56,7 @@ class Base : public FitModel {
       if (with_times_) {
         // t_col ∝ k^{−1/time_power}: from the time that k = 1 gives to the typical one.
         u[1] = 0;
-        const double now = predict(u, velocity).tcol;
+        const double now = predict(u, {velocity}).tcol;
         if (!(now > 0)) continue;
         u[1] = time_power() * std::log(now / tcol);
       }
@@ -97,9 +97,12 @@ template <class Law>
 class PowerModel : public Base {
  public:
   using Base::Base;
-  Prediction predict(const VectorXd& u, double velocity) const override {
-    const Reduced r = reduced<Law>(u[0] + speed_power * std::log(velocity), request_.end);
-    return {r.en, r.tcol * std::pow(mass() / (stiffness(u) * std::pow(velocity, P - 1)), 1 / (P + 1))};
+  Prediction predict(const VectorXd& u, const Shot& s) const override {
+    // k of this shot over that of the request.
+    const double stiffer = P == 1 ? 1 : std::sqrt(s.radius_ratio);
+    const Reduced r = reduced<Law>(u[0] + speed_power * std::log(s.velocity) + of_size(s, stiffer), request_.end);
+    return {r.en, r.tcol * std::pow(mass() * s.mass_ratio / (stiffness(u) * stiffer * std::pow(s.velocity, P - 1)),
+                                    1 / (P + 1))};
   }
   std::vector<NamedValue> parameters(const VectorXd& u) const override {
     const double k = stiffness(u), group = std::exp(u[0]);
@@ -111,6 +114,12 @@ class PowerModel : public Base {
  private:
   static constexpr double P = Law::stiffness_power, Q = Law::damping_power;
   static constexpr double speed_power = Q - (Q + 1) * (P - 1) / (P + 1);
+  /// ln of what γ = c k^{−q} m^{q−1}, q = (Q+1)/(P+1), is multiplied by where c goes with k; a law whose restitution
+  /// does not follow the speed has it from its material, whatever the size.
+  static double of_size(const Shot& s, double stiffer) {
+    constexpr double q = (Q + 1) / (P + 1);
+    return std::isfinite(Law::overdamped_from) ? 0 : (1 - q) * std::log(stiffer / s.mass_ratio);
+  }
   double greatest_loss() const override { return by_force() ? 20 : std::log(Law::overdamped_from) - 0.02; }
   double time_power() const override { return P + 1; }
 };
@@ -120,8 +129,8 @@ template <class Law>
 class CollidedModel : public Base {
  public:
   using Base::Base;
-  Prediction predict(const VectorXd& u, double velocity) const override {
-    const auto out = collide(law(u), {velocity, mass()}, {request_.end});
+  Prediction predict(const VectorXd& u, const Shot& s) const override {
+    const auto out = collide(law(u), {s.velocity, mass() * s.mass_ratio}, {request_.end});
     return {out.en, out.tcol};
   }
   std::vector<NamedValue> parameters(const VectorXd& u) const override {
@@ -141,10 +150,10 @@ class CollidedModel : public Base {
 class FractionalModel : public Base {
  public:
   using Base::Base;
-  Prediction predict(const VectorXd& u, double) const override {
+  Prediction predict(const VectorXd& u, const Shot& s) const override {
     const double alpha = alpha_at(u);
     const Reduced r = forward_fractional(request_.end)(alpha);
-    return {r.en, r.tcol * std::pow(stiffness(u) / mass(), -1 / (2 - alpha))};
+    return {r.en, r.tcol * std::pow(stiffness(u) / (mass() * s.mass_ratio), -1 / (2 - alpha))};
   }
   std::vector<NamedValue> parameters(const VectorXd& u) const override {
     std::vector<NamedValue> all{{"alpha", alpha_at(u), ""}};
@@ -166,12 +175,13 @@ class SpeedModel : public FitModel {
     if (!with_times_) return {vector({-1500, -20}), vector({1500, 20})};
     return {vector({-1500, -20, -greatest_log, -greatest_log}), vector({1500, 20, greatest_log, greatest_log})};
   }
-  Prediction predict(const VectorXd& u, double velocity) const override {
-    const double logit = std::min(u[0] + u[1] * std::log(velocity), greatest_logit);
+  Prediction predict(const VectorXd& u, const Shot& s) const override {
+    const double logit = std::min(u[0] + u[1] * std::log(s.velocity), greatest_logit);
     const double alpha = greatest_alpha(request_.end) * logistic(logit);
     const Reduced r = forward_fractional(request_.end)(alpha);
     if (!with_times_) return {r.en, 0};
-    return {r.en, r.tcol * std::exp(-(alpha * u[3] + (1 - alpha) * u[2] - std::log(request_.mass_eff)) / (2 - alpha))};
+    return {r.en, r.tcol * std::exp(-(alpha * u[3] + (1 - alpha) * u[2] - std::log(request_.mass_eff * s.mass_ratio)) /
+                                    (2 - alpha))};
   }
   std::vector<NamedValue> parameters(const VectorXd& u) const override {
     std::vector<NamedValue> all{{"a", u[0], ""}, {"b", u[1], ""}};
@@ -219,6 +229,13 @@ struct ModelOf<Fractional> {
 };
 
 }  // namespace
+
+Shot shot_of(const FitRequest& request, const Measurement& m) {
+  Shot shot{m.velocity};
+  if (m.mass_eff > 0) shot.mass_ratio = m.mass_eff / request.mass_eff;
+  if (m.radius_eff > 0 && request.radius_eff > 0) shot.radius_ratio = m.radius_eff / request.radius_eff;
+  return shot;
+}
 
 std::unique_ptr<FitModel> fit_model(const FitRequest& request, bool with_times) {
   if (request.alpha_of_speed) return std::make_unique<SpeedModel>(request, with_times);

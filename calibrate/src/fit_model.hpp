@@ -17,13 +17,21 @@ struct Box {
   Eigen::VectorXd low, high;
 };
 
-/// A law as a function of the impact velocity, under parameters u within a box.
+/// One impact in the eyes of a model: how its bodies differ from those whose parameters are told.
+struct Shot {
+  double velocity;
+  double mass_ratio = 1;    ///< effective mass over the request's
+  double radius_ratio = 1;  ///< effective radius over the request's
+};
+Shot shot_of(const FitRequest& request, const Measurement& m);
+
+/// A law as a function of the impact, under parameters u within a box.
 class FitModel {
  public:
   virtual ~FitModel() = default;
   virtual Box box() const = 0;
   Eigen::Index unknowns() const { return box().low.size(); }
-  virtual Prediction predict(const Eigen::VectorXd& u, double velocity) const = 0;
+  virtual Prediction predict(const Eigen::VectorXd& u, const Shot& shot) const = 0;
   /// What is told the user, as a function of u: one for each unknown.
   virtual std::vector<NamedValue> parameters(const Eigen::VectorXd& u) const = 0;
   /// Starting points, among which the fit takes the best: losses from small to great. `velocity` and `tcol` are typical

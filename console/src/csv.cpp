@@ -1,13 +1,15 @@
+#include "decimal.hpp"
+
 #include <console/csv.hpp>
 #include <console/exit.hpp>
 #include <console/number.hpp>
+#include <console/quantity.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <utility>
 
 namespace ricochet::console {
@@ -38,34 +40,6 @@ char separator_of(std::string_view head) {
   return tab && !comma ? '\t' : ',';
 }
 
-/// A decimal multiple of an SI unit.
-struct Multiple {
-  std::string_view unit, si;
-  int exponent;
-};
-constexpr std::array multiples{
-    Multiple{"cm/s", "m/s", -2},  Multiple{"mm/s", "m/s", -3},   Multiple{"ms", "s", -3},
-    Multiple{"us", "s", -6},      Multiple{"µs", "s", -6},       Multiple{"μs", "s", -6},
-    Multiple{"ns", "s", -9},      Multiple{"cm", "m", -2},       Multiple{"mm", "m", -3},
-    Multiple{"um", "m", -6},      Multiple{"µm", "m", -6},       Multiple{"μm", "m", -6},
-    Multiple{"g", "kg", -3},      Multiple{"mg", "kg", -6},      Multiple{"g/cm^3", "kg/m^3", 3},
-    Multiple{"N/m", "kg/s^2", 0}, Multiple{"kN/m", "kg/s^2", 3}, Multiple{"N/mm", "kg/s^2", 3}};
-
-/// The power of ten from `unit` to `si`.
-std::optional<int> exponent_between(std::string_view unit, std::string_view si) {
-  if (unit.empty() || unit == si || (si.empty() && (unit == "-" || unit == "1"))) return 0;
-  for (const Multiple& m : multiples)
-    if (m.unit == unit && m.si == si) return m.exponent;
-  return std::nullopt;
-}
-
-std::string units_of(std::string_view si) {
-  std::string list(si);
-  for (const Multiple& m : multiples)
-    if (m.si == si) list += fmt::format(", {}", m.unit);
-  return list;
-}
-
 std::string spelled(const CsvColumn& column) {
   return column.unit.empty() ? std::string(column.name) : fmt::format("{} [{}]", column.name, column.unit);
 }
@@ -89,19 +63,23 @@ Heading parts_of(std::string_view heading) {
   return {heading, {}};
 }
 
+/// "Drop height" is drop_height.
 bool same_name(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+  const auto plain = [](char c) -> int {
+    return c == '_' || c == '-' ? ' ' : std::tolower(static_cast<unsigned char>(c));
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return plain(x) == plain(y); });
 }
 
-/// The decimal number of the text times a power of ten, rounded once: the exponent is changed before it is read.
-std::optional<double> scaled(std::string number, int exponent) {
-  const auto mark = number.find_first_of("eE");
-  if (exponent == 0) return parse_number(number);
-  if (mark == std::string::npos) return parse_number(fmt::format("{}e{}", number, exponent));
-  const auto own = parse_number(number.substr(mark + 1));
-  if (!own || !(std::abs(*own) < 1e4) || number.find('.', mark) != std::string::npos) return std::nullopt;
-  return parse_number(fmt::format("{}e{}", number.substr(0, mark), static_cast<int>(*own) + exponent));
+/// Is it the column's name, or one of its aliases?
+bool names(const CsvColumn& column, std::string_view name) {
+  if (same_name(name, column.name)) return true;
+  for (std::string_view rest = column.aliases; !rest.empty();) {
+    const auto end = std::min(rest.find(','), rest.size());
+    if (same_name(name, rest.substr(0, end))) return true;
+    rest.remove_prefix(std::min(rest.size(), end + 1));
+  }
+  return false;
 }
 
 }  // namespace
@@ -142,13 +120,15 @@ std::optional<CsvHead> take_csv_head(LineBlocks& source, LineBlocks::Block& bloc
   return std::nullopt;
 }
 
-CsvColumns::CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted)
-    : accepted_(accepted), separator_(separator_of(head.text)), exponents_(accepted.size()) {
+CsvColumns::CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted,
+                       Unknown unknown)
+    : accepted_(accepted), separator_(separator_of(head.text)), exponents_(accepted.size()), stated_(accepted.size()) {
   try {
     std::array<std::string_view, most> headings;
     const auto count = fields_of(head.text, headings);
     if (!count) throw BadInput(fmt::format("header = {}: must be a row of CSV", excerpt(head.text)));
-    for (std::size_t i = 0; i < *count; ++i) order_.push_back(take(headings[i]));
+    for (std::size_t i = 0; i < *count; ++i) order_.push_back(take(headings[i], unknown));
+    if (ignored_.size() == *count) refuse(headings[0], *count);
     for (std::size_t i = 0; i < accepted.size(); ++i)
       if (accepted[i].needed && !has(i))
         throw BadInput(fmt::format("column {}: missing: must be given", accepted[i].name));
@@ -157,19 +137,31 @@ CsvColumns::CsvColumns(const std::string& file, const CsvHead& head, std::span<c
   }
 }
 
+/// None of the headings is known: the first is named, or the separator that the head lacks.
+void CsvColumns::refuse(std::string_view heading, std::size_t count) const {
+  if (count == 1 && heading.find_first_of(" \t|:/") != std::string_view::npos)
+    throw BadInput(fmt::format("header = {}: must be names between commas, semicolons or tabs, of {}", excerpt(heading),
+                               list_of(accepted_)));
+  throw BadInput(fmt::format("column = {}: must be one of {}", excerpt(heading), list_of(accepted_)));
+}
+
 /// The accepted column that a heading names, and its unit noted.
-std::size_t CsvColumns::take(std::string_view heading) {
+std::optional<std::size_t> CsvColumns::take(std::string_view heading, Unknown unknown) {
   const Heading given = parts_of(heading);
   const auto known = std::find_if(accepted_.begin(), accepted_.end(), [&](const CsvColumn& c) {
-    return same_name(given.name, c.name) && !(c.unit.empty() && !exponent_between(given.unit, ""));
+    return names(c, given.name) && !(c.unit.empty() && !decimal_exponent(given.unit, ""));
   });
-  if (known == accepted_.end())
-    throw BadInput(fmt::format("column = {}: must be one of {}", excerpt(heading), list_of(accepted_)));
-  const auto exponent = exponent_between(given.unit, known->unit);
-  if (!exponent) throw BadInput(fmt::format("column = {}: must be in {}", excerpt(heading), units_of(known->unit)));
+  if (known == accepted_.end() && unknown == Unknown::ignored) {
+    ignored_.push_back(excerpt(heading));
+    return std::nullopt;
+  }
+  if (known == accepted_.end()) refuse(heading, 2);
+  const auto exponent = decimal_exponent(given.unit, known->unit);
+  if (!exponent) throw BadInput(fmt::format("column = {}: must be in {}", excerpt(heading), unit_choices(known->unit)));
   const auto column = static_cast<std::size_t>(known - accepted_.begin());
   if (has(column)) throw BadInput(fmt::format("column = {}: must be given once", known->name));
   exponents_[column] = exponent;
+  stated_[column] = !given.unit.empty();
   return column;
 }
 
@@ -197,7 +189,8 @@ void CsvColumns::split(std::string_view line, std::span<std::string_view> fields
   if (!count) throw BadInput(fmt::format("row = {}: must be a row of CSV", excerpt(line)));
   if (*count != order_.size())
     throw BadInput(fmt::format("fields = {}: must be {}, one a column", *count, order_.size()));
-  for (std::size_t i = 0; i < *count; ++i) fields[order_[i]] = row[i];
+  for (std::size_t i = 0; i < *count; ++i)
+    if (order_[i]) fields[*order_[i]] = row[i];
 }
 
 std::optional<double> CsvColumns::number(std::size_t column, std::string_view field) const {
@@ -212,11 +205,11 @@ std::optional<double> CsvColumns::number(std::size_t column, std::string_view fi
   return scaled(number, exponent);
 }
 
-CsvReader::CsvReader(std::string path, std::span<const CsvColumn> accepted)
+CsvReader::CsvReader(std::string path, std::span<const CsvColumn> accepted, Unknown unknown)
     : path_(std::move(path)), accepted_(accepted), source_(path_), fields_(accepted.size()) {
   const auto head = take_csv_head(source_, block_);
   if (!head) return;
-  columns_.emplace(path_, *head, accepted_);
+  columns_.emplace(path_, *head, accepted_, unknown);
   line_ = head->line;
   rest_ = block_.text;
 }

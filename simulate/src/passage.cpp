@@ -11,6 +11,7 @@
 namespace ricochet::simulate {
 namespace {
 
+using console::Node;
 using console::significant;
 
 constexpr std::size_t most_spheres = 5000;  // of which every pair is looked at

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "node.hpp"
+#include <console/node.hpp>
 
 #include <simulate/scene.hpp>
 
@@ -10,6 +10,6 @@ namespace ricochet::simulate {
 /// they would go in by a radius or more, that is v t_col/π, the depth of a linear contact without damping: a remark on
 /// the first of them, or BadInput where it is as deep as Breakthrough has it. What comes later is seen when it comes.
 /// Pairs of spheres are not looked through beyond 5000 spheres.
-std::string look_ahead(const Node& root, const Scene& scene);
+std::string look_ahead(const console::Node& root, const Scene& scene);
 
 }  // namespace ricochet::simulate

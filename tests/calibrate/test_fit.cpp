@@ -283,3 +283,54 @@ TEST_CASE("a fit names what it cannot use") {
   CHECK_THROWS_WITH(fit_law({kind_of<Hysteretic>, ContactEnd::overlap, mass}, {{1, 0.5}, {2, 0.5}}),
                     "end = overlap: must be force for the law hysteretic");
 }
+
+TEST_CASE("impacts of bodies of several sizes tell one material") {
+  constexpr double radius = 1e-3;
+  // Each law at another size, as a material makes it: k of ζ^{3/2} goes with √R, c/k of Kuwabara and Kono's law stays,
+  // and of the others what sets e_n.
+  const auto resized = [](const AnyLaw& law, double m, double r) -> AnyLaw {
+    const double hertz = std::sqrt(r);
+    if (const auto* l = std::get_if<Linear>(&law)) return Linear(l->k(), l->c() * std::sqrt(m));
+    if (const auto* l = std::get_if<Tsuji>(&law)) return Tsuji(l->k() * hertz, l->c() * std::sqrt(m * hertz));
+    if (const auto* l = std::get_if<KuwabaraKono>(&law)) return KuwabaraKono(l->k() * hertz, l->c() * hertz);
+    return law;
+  };
+  for (const Truth& truth : truths) {
+    CAPTURE(truth.name.name());
+    std::vector<Measurement> data;
+    for (const double v : speeds(6))
+      for (const double size : {1.0, 2.0, 0.5}) {
+        const double m = size * size * size;
+        const auto out = collide(resized(truth.law, m, size), {v, mass * m});
+        data.push_back({v, out.en, 0.01, out.tcol, 0.01 * out.tcol, mass * m, radius * size});
+      }
+    const Fit fit = fit_law({truth.name, ContactEnd::force, mass, false, radius}, data);
+    CHECK(fit.chi2 < 1e-8);
+    const auto known = identifiable(truth.law);
+    for (std::size_t i = 0; i < known.size(); ++i)
+      CHECK(fit.parameters[i].value == Approx(known[i].value).epsilon(1e-6));
+    CHECK(fit.predictions[1].tcol == Approx(data[1].tcol).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("a slip of the pen is named, by its line where that is known") {
+  std::mt19937_64 random(7);
+  auto data = measured(Linear(5000, 0.1), 0.01, 0, random);
+  const auto names_one = [&](const std::string& where) {
+    const Fit fit = fit_law({kind_of<Linear>, ContactEnd::force, mass}, data);
+    return std::any_of(fit.findings.begin(), fit.findings.end(), [&](const std::string& f) {
+      return f.starts_with(where) && f.find("far outside") != std::string::npos;
+    });
+  };
+  CHECK_FALSE(names_one(""));
+  data[4].en *= 0.1;
+  CHECK(names_one("measurement 5: "));
+  data[4].line = 9;
+  CHECK(names_one("line 9: "));
+  for (Measurement& m : data) m.en_sigma = 0;
+  CHECK(names_one("line 9: "));
+  data.resize(5);  // one of five is still out
+  CHECK(names_one("line 9: "));
+  data.erase(data.begin());
+  CHECK_FALSE(names_one(""));
+}

@@ -87,11 +87,38 @@ TEST_CASE("what is wrong with a head is said with file and line") {
   CHECK(complaint_of("velocity,en") == "none");
   CHECK(complaint_of("velocity,en [-]") == "none");
   CHECK(complaint_of("velocity,e") == "f.csv:3: column = e: must be one of velocity [m/s], en, tcol [s]");
-  CHECK(complaint_of("velocity [mph],en") == "f.csv:3: column = velocity [mph]: must be in m/s, cm/s, mm/s");
+  CHECK(complaint_of("velocity [mph],en") == "f.csv:3: column = velocity [mph]: must be in m/s, cm/s or mm/s");
   CHECK(complaint_of("velocity,en [s]") == "f.csv:3: column = en [s]: must be one of velocity [m/s], en, tcol [s]");
   CHECK(complaint_of("velocity,EN,en") == "f.csv:3: column = en: must be given once");
   CHECK(complaint_of("velocity") == "f.csv:3: column en: missing: must be given");
   CHECK(complaint_of("\"velocity") == "f.csv:3: header = \"velocity: must be a row of CSV");
+}
+
+TEST_CASE("columns go by other names, and those that nobody asked for are left and told of") {
+  constexpr std::array names{CsvColumn{.name = "velocity", .unit = "m/s", .aliases = "v,speed"},
+                             CsvColumn{.name = "en", .aliases = "e,COR"}};
+  const CsvColumns columns("f", {"No.,Speed (mm/s),cor,remark [x]", 1}, names, Unknown::ignored);
+  CHECK(columns.ignored() == std::vector<std::string>{"No.", "remark [x]"});
+  std::array<std::string_view, 2> fields;
+  columns.split("7,300,0.5,nice", fields);
+  CHECK(columns.number(0, fields[0]) == 0.3);
+  CHECK(columns.number(1, fields[1]) == 0.5);
+  const auto complaint = [&](const std::string& head, Unknown unknown) {
+    CHECK_THROWS_WITH(CsvColumns("f", {head, 1}, names, unknown), Catch::Contains("f:1: "));
+    try {
+      CsvColumns("f", {head, 1}, names, unknown);
+    } catch (const BadInput& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(complaint("v,e,x", Unknown::refused) == "f:1: column = x: must be one of velocity [m/s], en");
+  CHECK(complaint("v,speed", Unknown::ignored) == "f:1: column = velocity: must be given once");
+  CHECK(complaint("a,b", Unknown::ignored) == "f:1: column = a: must be one of velocity [m/s], en");
+  // One heading with something else between its words: the separator is what is wrong.
+  CHECK(complaint("v e", Unknown::ignored) ==
+        "f:1: header = v e: must be names between commas, semicolons or tabs, of velocity [m/s], en");
+  CHECK(complaint("v|e", Unknown::ignored).starts_with("f:1: header = v|e: must be names between commas"));
 }
 
 TEST_CASE("what is wrong with a row is said with file and line") {

@@ -29,11 +29,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     calibration::add_options(app, options);
     app.parse(reversed);
     const calibration::Job job = calibration::job_of(options);
-    const Impact& impact = job.target.impact;
+    const Impact& impact = job.known.impact;
     if (!(std::isfinite(impact.mass_eff) && impact.mass_eff > 0 && std::isfinite(impact.velocity) &&
           impact.velocity > 0))
       throw std::logic_error("a job with an impossible impact");
-    if (job.requests.empty() && job.left_out.empty()) throw std::logic_error("a job without work");
+    if (job.wanted.empty() && job.left_out.empty()) throw std::logic_error("a job without work");
   } catch (const CLI::ParseError&) {
   } catch (const console::BadInput& error) {
     if (std::string(error.what()).find('\n') != std::string::npos) throw std::logic_error("more than one line");

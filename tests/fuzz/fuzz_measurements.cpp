@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (std::count(data, data + size, '\n') > 10) return -1;
   const MemoryFile file(data, size);
   try {
-    const auto measured = read_measurements(file.path());
+    const auto measured = read_measurements(file.path()).data;
     check(fit_law(request_of(size), measured), measured.size());
   } catch (const console::BadInput& error) {
     expect(std::string(error.what()).find('\n') == std::string::npos, "more than one line");

@@ -79,8 +79,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // A row outside the tables takes milliseconds under the sanitizers: few rows, so that only a hang takes long.
   if (std::count(data, data + size, '\n') > 10) return -1;
   const MemoryFile file(data, size);
-  calibration::TargetDefaults defaults;
-  defaults.impact = {0.5, 7e-6};
+  const calibration::TargetDefaults defaults;
   try {
     check(file.path(), defaults);
   } catch (const console::BadInput& error) {

@@ -90,7 +90,7 @@ void nlopt_calibration() {
 
 void target_rows() {
   const DirectCalibrator calibrator;
-  const TargetRows rows("rows.csv", {"tcol,en", 1}, {.impact = {0.5, 7.06858e-6}}, calibrator);
+  const TargetRows rows("rows.csv", {"tcol,en", 1}, {}, calibrator);
   console::LineBlocks::Block block;
   const auto en = workloads::arguments(0.01, 0.99, 500);
   for (const double value : en) block.text += std::to_string(1e-3 * (1 + value)) + "," + std::to_string(value) + "\n";

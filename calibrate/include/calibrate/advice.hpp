@@ -18,20 +18,51 @@ struct Sensitivity {
 /// Central differences of `collide` over ±1e-4 of each parameter: the error is of the order of 1e-7.
 std::vector<Sensitivity> sensitivities(const AnyLaw& law, ContactEnd end, const Impact& impact);
 
+/// How engines step a contact.
+enum class Stepping {
+  /// LAMMPS, LIGGGHTS, Yade, MercuryDPM: the force from the position at the end of the step and the velocity at its
+  /// middle, a contact found only once the bodies overlap, the force clamped at zero where the contact ends by force.
+  /// First order in the step, because the touch is not located and the velocity lags.
+  half_step,
+  /// liggghts-ricochet, fractional law ended by force only: touch and end are located. Second order.
+  located
+};
+
 /// How far e_n is off when an engine takes that many steps a collision time.
 struct StepError {
   int steps;     ///< t_col/Δt
   double error;  ///< greatest |e_n/target − 1| over sixteen places of the first touch within a step
 };
 
-/// The collision as engines step it, for 5 to 1000 steps a collision time: velocity Verlet, the force taken from the
-/// position at the end of the step and the velocity at its middle (LAMMPS, LIGGGHTS, Yade), a contact found only once
-/// the bodies overlap, the force clamped at zero where the contact ends by force. First order in the step, because
-/// the touch is not located and the velocity lags. The fractional law is carried by Maxwell arms with a kernel error
-/// of 1e-6.
-std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Target& target);
+/// The errors of e_n that a step is advised for.
+inline constexpr double step_bounds[] = {0.01, 0.001};
 
-/// The least steps from which on the error stays within `bound`; nothing if 1000 do not suffice.
+/// The collision as engines step it, from 5 steps a collision time on until the error stays within the least of
+/// step_bounds for three meshes, a tenth to a quarter finer each, or 20000 steps. The fractional law is carried by
+/// Maxwell arms with a kernel error of 1e-6. Throws std::invalid_argument for `located` and another law or end.
+std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Target& target,
+                                   Stepping stepping = Stepping::half_step);
+
+/// The least steps from which on the error stays within `bound`; nothing if the finest mesh does not suffice.
 std::optional<int> steps_for(const std::vector<StepError>& errors, double bound);
+
+/// The time step that keeps e_n to error_en in an engine; nothing where 20000 steps a collision do not.
+struct EngineStep {
+  std::string engine;
+  double error_en;             ///< one of step_bounds
+  std::optional<double> step;  ///< [s]
+};
+
+/// For every engine that runs this law and ends it so, and whose stepping is known (not MFiX's): a row a bound.
+std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Target& target);
+
+/// π r √(ρ/G)/(0.1631ν + 0.8766) [s]: the time that a Rayleigh wave takes along half a sphere, of which engines' users
+/// take a share. Radius [m], density [kg/m³], Young's modulus [Pa] > 0, −1 < ν ≤ 0.5; throws std::invalid_argument.
+/// Source: Y. Li, Y. Xu, C. Thornton, Powder Technol. 160, 219 (2005).
+double rayleigh_time(double radius, double density, double young, double poisson);
+
+/// hertz_time (ricochet/collision/scale_and_loss.hpp) of a law with kζ^{3/2} in it, as if it were elastic [s]; nothing
+/// for others.
+std::optional<double> hertz_time_of(const AnyLaw& law, const Impact& impact);
 
 }  // namespace ricochet::calibration

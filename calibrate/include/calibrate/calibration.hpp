@@ -50,6 +50,7 @@ struct Settings {
 const std::vector<std::string>& algorithms();
 
 struct Calibration {
+  Request request;  ///< that it answers
   AnyLaw law;
   ContactEnd end;
   Collision achieved;                   ///< of `law`, by the numerical path; see `remarks`

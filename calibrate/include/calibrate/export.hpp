@@ -3,6 +3,7 @@
 #include <ricochet/contact/laws.hpp>
 #include <ricochet/collision/collision.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,7 +22,7 @@ std::optional<Engine> engine_named(std::string_view word) noexcept;
 /// Name and version whose conventions the snippets follow.
 std::string_view version(Engine engine) noexcept;
 
-/// A law as it was calibrated, with what an engine wants to know beside its parameters.
+/// One contact between grains, with what an engine wants to know beside the law's parameters.
 struct ExportCase {
   AnyLaw law;
   ContactEnd end;
@@ -31,8 +32,36 @@ struct ExportCase {
   std::optional<double> density = {};  ///< of the grains [kg/m³], where the engine's material carries it
 };
 
+/// Bodies of one kind: grains of one size and material, or walls.
+struct BodyKind {
+  std::string name;  ///< letters, digits and _, as engines' own names are
+  bool wall = false;
+  std::optional<double> density = {};  ///< [kg/m³], where the engine's material carries it
+  double poisson = 0.3;                ///< where an engine's material wants it; no influence on these normal forces
+};
+
+/// A contact between bodies of two kinds (or of the same) as it was calibrated.
+struct PairCase {
+  std::size_t a, b;  ///< places in ContactSet::kinds; a wall is never a
+  AnyLaw law;
+  double tcol, en;                        ///< the target [s], [–]
+  Impact impact;                          ///< at which it was calibrated; against a wall of the grain's mass
+  std::optional<double> radius_eff = {};  ///< r₁r₂/(r₁+r₂) [m], wall: r₁
+};
+
+/// Every contact that an engine has to know of, all under one kind of law that ends one way.
+struct ContactSet {
+  ContactEnd end = ContactEnd::force;
+  std::vector<BodyKind> kinds = {};  ///< grains first: the engines number their types so
+  std::vector<PairCase> pairs = {};  ///< not empty; the first is what was asked for
+  /// The same contacts at other sizes of grain, under the law that the first size's numbers make of them: with any, the
+  /// numbers are chosen to keep e_n for every size where the engine can, and the time step serves them all.
+  std::vector<PairCase> other_sizes = {};
+  std::vector<std::string> notes = {};  ///< what else to tell of them, a sentence each
+};
+
 enum class Fidelity {
-  exact,   ///< the engine runs this very law, at the pair that it was calibrated for
+  exact,   ///< the engine runs this very law, at the pairs that it was calibrated for
   close,   ///< it runs another law; Snippet::gives says what comes out at this impact
   absent,  ///< it can't: the snippet holds comments alone
 };
@@ -41,16 +70,23 @@ std::string_view text(Fidelity fidelity) noexcept;
 /// One law in the language of one engine, SI units, ready to be included.
 struct Snippet {
   Engine engine;
-  AnyLaw law;
+  AnyLaw law;  ///< of the first pair
   ContactEnd end;
   Fidelity fidelity;
-  Collision gives;                   ///< what the engine's law does at the case's impact; not separated when absent
+  std::vector<Collision> gives;      ///< what the engine's law does at each pair's impact; empty when absent
   std::vector<std::string> remarks;  ///< conventions and limits, one sentence each; in `text` as comments
   std::string text;
 };
 
-/// Writes the snippet. Throws std::invalid_argument for values outside their domain.
+/// Writes the snippet of a set of contacts: the law of every pair of grains and what makes each kind of wall.
+/// Throws std::invalid_argument for values outside their domain, laws of several kinds, or no pair.
+Snippet export_contacts(Engine engine, const ContactSet& set);
+
+/// The same of one contact between grains of one kind.
 Snippet export_law(Engine engine, const ExportCase& what);
+
+/// Whether the engine runs the law of this contact and ends it so; the text of the snippet says no more of it.
+bool runs(Engine engine, const ExportCase& what);
 
 /// `sentence` as comment lines of the engine's language.
 std::string comment(Engine engine, std::string_view sentence);

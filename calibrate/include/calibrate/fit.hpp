@@ -2,6 +2,7 @@
 
 #include <calibrate/calibration.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,17 +17,21 @@ struct Measurement {
   double en_sigma = 0;    ///< > 0 or not known
   double tcol = 0;        ///< [s], > 0 or not measured
   double tcol_sigma = 0;  ///< [s], > 0 where tcol is
+  double mass_eff = 0;    ///< of this impact's bodies [kg]; 0: the request's
+  double radius_eff = 0;  ///< of this impact's bodies [m]; 0: not known, or the same in all
+  std::size_t line = 0;   ///< where it stands in its file, for findings; 0: nowhere
 };
 
 /// Which law is fitted, and how.
 struct FitRequest {
   LawKind law;
   ContactEnd end = ContactEnd::force;
-  double mass_eff;  ///< [kg], > 0
+  double mass_eff;  ///< [kg], > 0: that of the bodies whose parameters are told
   /// Fractional only: the paper's idea of an α that follows the impact, as ln(α/(α_max−α)) = a + b ln(v/(1 m/s)), where
   /// α_max is 1 by force and overlap_limit by overlap. Monotone in v, in (0, α_max) for every v, and constant for
   /// b = 0; with b > 0 a slow impact is elastic and a fast one loses all, with b < 0 the other way round.
   bool alpha_of_speed = false;
+  double radius_eff = 0;  ///< [m] of those bodies; 0: not known
 };
 
 /// A fitted parameter with its standard error.
@@ -61,7 +66,11 @@ struct Fit {
   std::size_t unknowns() const { return parameters.size(); }
 };
 
-/// Fits one law. NLopt (SLSQP, with the Jacobian by central differences) minimises χ² over the logarithms of the
+/// Fits one law. Impacts of other bodies than the request's are those of the same material: the damping ratio of linear
+/// and Tsuji's law, k₂/k₁ and α are the same for all sizes, so is c/k of Kuwabara and Kono's; k of the laws in ζ^{3/2}
+/// goes with √(effective radius) where radii are known, that of the others stays.
+///
+/// NLopt (SLSQP, with the Jacobian by central differences) minimises χ² over the logarithms of the
 /// parameters, from the best of a coarse scan, and Gauss-Newton takes the last digits; errors and correlations are
 /// those of (JᵀJ)⁻¹ at the minimum, times χ²/ν where σ is not known. Without collision times no law's stiffness can be
 /// told: the parameters are then the combinations that set e_n, which are named so.
@@ -73,7 +82,7 @@ struct Fit {
 /// law does not offer, times without en_sigma; NotConverged, which names them, where the data leave parameters open.
 Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data);
 
-/// What the fitted law does at another velocity.
+/// What the fitted law does at another velocity, between the request's bodies.
 Prediction predict(const Fit& fit, double velocity);
 
 /// "kuwabara-kono", …, "fractional, alpha(v)".

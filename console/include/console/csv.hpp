@@ -63,6 +63,13 @@ struct CsvColumn {
   std::string_view name;
   std::string_view unit = {};  ///< SI, in which numbers are handed on; empty: a text, or a number without unit
   bool needed = false;
+  std::string_view aliases = {};  ///< other names that people give it, between commas: "v,speed"
+};
+
+/// What becomes of columns that a program does not know.
+enum class Unknown {
+  refused,
+  ignored  ///< and told of by `CsvColumns::ignored`
 };
 
 /// The columns of one file as its head names them, and its rows read by them; shared by threads.
@@ -70,17 +77,22 @@ struct CsvColumn {
 /// What a file may look like is decided here alone. Fields stand between commas, or between semicolons or tabs where
 /// the head does; there a number may have a decimal comma. Blanks around a field and a pair of double quotes are taken
 /// off; a quoted field may hold separators, but neither quotes nor line ends. A heading is a name as `CsvColumn` has
-/// it, in letters of any case, with a unit after it in brackets or parentheses ("v [mm/s]", "Velocity (m/s)"): another
+/// it, in letters of any case and with blanks or dashes for its underscores, with a unit after it in brackets or parentheses ("v [mm/s]", "Velocity (m/s)"): another
 /// decimal multiple of the column's own is converted exactly, without one the numbers are in the column's own.
 class CsvColumns {
  public:
-  static constexpr std::size_t most = 32;  ///< columns of a file
+  static constexpr std::size_t most = 64;  ///< columns of a file
 
   /// `accepted` must outlive it. Throws BadInput "file:line: column = x: must be one of …" where a column is none of
   /// these, comes twice, has no known unit or is missing.
-  CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted);
+  CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted,
+             Unknown unknown = Unknown::refused);
 
+  /// The headings of columns that are not read, as they stand.
+  const std::vector<std::string>& ignored() const { return ignored_; }
   bool has(std::size_t column) const { return exponents_[column].has_value(); }
+  /// Has the head a unit for it?
+  bool states_unit(std::size_t column) const { return stated_[column]; }
 
   /// The fields of one row by the order of `accepted`, which is the size of `fields`; one whose column the file does
   /// not have is empty. Throws BadInput "fields = 3: must be 2, one a column", without a place.
@@ -91,23 +103,34 @@ class CsvColumns {
 
  private:
   std::optional<std::size_t> fields_of(std::string_view line, std::span<std::string_view> fields) const;
-  std::size_t take(std::string_view heading);
+  std::optional<std::size_t> take(std::string_view heading, Unknown unknown);
+  [[noreturn]] void refuse(std::string_view heading, std::size_t count) const;
 
   std::span<const CsvColumn> accepted_;
   char separator_;
-  std::vector<std::size_t> order_;             // the file's columns
+  std::vector<std::optional<std::size_t>> order_;  // the file's columns, without those that are ignored
+  std::vector<std::string> ignored_;
   std::vector<std::optional<int>> exponents_;  // of ten, from the file's unit to the column's, where it has the column
+  std::vector<bool> stated_;                   // of each accepted column: has it a unit in the head?
 };
 
 /// A CSV file row by row. What is wrong with it is BadInput that begins "file:line: ".
 class CsvReader {
  public:
   /// Reads the head; what `accepted` refers to must outlive the reader.
-  CsvReader(std::string path, std::span<const CsvColumn> accepted);
+  CsvReader(std::string path, std::span<const CsvColumn> accepted, Unknown unknown = Unknown::refused);
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
   bool has(std::size_t column) const { return columns_ && columns_->has(column); }
+  /// The headings of columns that are not read.
+  std::vector<std::string> ignored() const { return columns_ ? columns_->ignored() : std::vector<std::string>(); }
+
+  bool states_unit(std::size_t column) const { return columns_ && columns_->states_unit(column); }
+  /// Has the file a head?
+  bool any() const { return columns_.has_value(); }
+  /// Number of the line that was read last.
+  std::size_t line() const { return line_; }
 
   /// To the next row; false after the last, and where there is not even a head.
   bool next();

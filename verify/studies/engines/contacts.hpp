@@ -11,11 +11,11 @@ namespace ricochet::verify::engines {
 
 inline constexpr double tcol = paper::pair.tcol;
 
-/// The two spheres of Table II.
-inline constexpr Encounter pair{.radius = paper::pair.radius,
-                                .density = paper::pair.density,
-                                .velocity = paper::pair.impact.velocity,
-                                .duration = 1.7 * tcol};
+inline constexpr double velocity = paper::pair.impact.velocity;
+
+/// The two spheres of Table II; one of them and a wall.
+Encounter two_spheres();
+Encounter sphere_and_wall();
 
 /// A contact in an engine: what it is given and what shall come out when the step goes to zero.
 struct Contact {
@@ -26,6 +26,7 @@ struct Contact {
   double en_asked;
   double en, tcol;            ///< in the limit; tcol 0: not known
   std::optional<AnyLaw> law;  ///< what the engine runs, where its stepping can be repeated with it
+  Encounter who;
   bool fractional = false;
 };
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <locale>
@@ -40,30 +42,58 @@ std::optional<std::string> beside_us(const std::string& program) {
   return std::nullopt;
 }
 
-/// What every deck is made of: half the distance of the centres at the start, and the number of steps.
+/// What every deck is made of: the places of a and b along x, their velocities, and the number of steps. A wall stands
+/// at 0 where a meets it, and out of reach otherwise.
 struct Start {
-  double half_distance;
+  double x[2], v[2];
   long steps;
 };
 
 Start start_of(const Encounter& pair, double step) {
-  return {pair.radius + 0.5 * steps_before_touch * step * pair.velocity, std::lround(pair.duration / step)};
+  const double gap = steps_before_touch * step * pair.velocity;
+  const long steps = std::lround(pair.duration() / step);
+  if (!pair.b) return {{pair.reach() + gap, 0}, {-pair.velocity, 0}, steps};
+  return {{-pair.a.radius - 0.5 * gap, pair.b->radius + 0.5 * gap}, {0.5 * pair.velocity, -0.5 * pair.velocity}, steps};
 }
 
-std::string box(double half_size, const char* units) {
+double half_box(const Encounter& pair) { return 10 * std::max(pair.a.radius, pair.b ? pair.b->radius : 0.0); }
+double wall_at(const Encounter& pair, std::size_t wall) { return pair.b || wall > 0 ? -0.8 * half_box(pair) : 0; }
+
+std::string box(const Encounter& pair, int types, const char* units) {
   std::string sides;
-  for (int i = 0; i < 3; ++i) sides += fmt::format(" -{} {}", shortest(half_size), shortest(half_size));
-  return fmt::format("region box block{}{}\ncreate_box 1 box\n", sides, units);
+  for (int i = 0; i < 3; ++i) sides += fmt::format(" -{} {}", shortest(half_box(pair)), shortest(half_box(pair)));
+  return fmt::format("region box block{}{}\ncreate_box {} box\n", sides, units, types);
 }
 
 std::string grains(const Encounter& pair, const Start& start, const char* units) {
-  const std::string half = shortest(0.5 * pair.velocity);
-  return fmt::format(
-      "create_atoms 1 single -{x} 0 0{units}\ncreate_atoms 1 single {x} 0 0{units}\n"
-      "set group all diameter {diameter} density {density}\nset atom 1 vx {half}\nset atom 2 vx -{half}\n",
-      fmt::arg("x", shortest(start.half_distance)), fmt::arg("units", units),
-      fmt::arg("diameter", shortest(2 * pair.radius)), fmt::arg("density", shortest(pair.density)),
-      fmt::arg("half", half));
+  std::string text;
+  int id = 0;
+  const auto add = [&](const Grain& grain, double x, double y, double v) {
+    text += fmt::format(
+        "create_atoms {type} single {x} {y} 0{units}\nset atom {id} diameter {diameter} density {density}\n"
+        "set atom {id} vx {v}\n",
+        fmt::arg("type", grain.type), fmt::arg("x", shortest(x)), fmt::arg("y", shortest(y)), fmt::arg("units", units),
+        fmt::arg("id", ++id), fmt::arg("diameter", shortest(2 * grain.radius)),
+        fmt::arg("density", shortest(grain.density)), fmt::arg("v", shortest(v)));
+  };
+  add(pair.a, start.x[0], 0, start.v[0]);
+  if (pair.b) add(*pair.b, start.x[1], 0, start.v[1]);
+  // LIGGGHTS wants atoms of the first type: one that stands aside.
+  if (Grain aside = pair.a; aside.type > 1) {
+    aside.type = 1;
+    add(aside, 0.5 * half_box(pair), 0.8 * half_box(pair), 0);
+  }
+  return text;
+}
+
+/// Where the walls of the snippet stand, in the variables that it leaves as they are: `place` is the wall's own words,
+/// of its number and position.
+template <class F>
+std::string walls(const Encounter& pair, const F& place) {
+  std::string text;
+  for (std::size_t i = 0; i < pair.walls.size(); ++i)
+    text += fmt::format("variable ricochet_wall{} index \"{}\"\n", pair.walls[i], place(i, shortest(wall_at(pair, i))));
+  return text;
 }
 
 /// The time steps of both engines, whose trajectory goes into the file `out`; LAMMPS wants the word "line" before a
@@ -77,22 +107,28 @@ std::string stepping(double step, const std::string& out, const char* line, cons
 
 std::string lammps_run(const Encounter& pair, double step, const std::string& out) {
   const Start start = start_of(pair, step);
+  const auto place = [](std::size_t, const std::string& x) { return fmt::format("xplane {} NULL", x); };
   return fmt::format(
       "units si\natom_style sphere\natom_modify map array sort 0 0\nnewton off\ncomm_modify vel yes\n"
-      "boundary f f f\n{}{}include snippet\nneighbor {} bin\nneigh_modify delay 0 every 1 check yes\n{}",
-      box(10 * pair.radius, ""), grains(pair, start, ""), shortest(pair.radius), stepping(step, out, "line ", start));
+      "boundary f f f\n{}{}{}include snippet\nneighbor {} bin\nneigh_modify delay 0 every 1 check yes\n{}",
+      box(pair, pair.grain_types, ""), grains(pair, start, ""), walls(pair, place), shortest(pair.a.radius),
+      stepping(step, out, "line ", start));
 }
 
 std::string liggghts_run(const Encounter& pair, double step, const std::string& out) {
   const Start start = start_of(pair, step);
+  const int types = pair.grain_types + static_cast<int>(pair.walls.size());
+  const auto place = [&](std::size_t i, const std::string& x) {
+    return fmt::format("primitive type {} xplane {}", pair.grain_types + static_cast<int>(i) + 1, x);
+  };
   return fmt::format(
       "atom_style granular\natom_modify map array sort 0 0\nboundary f f f\nnewton off\n"
-      "communicate single vel yes\nunits si\n{}neighbor {} bin\nneigh_modify delay 0\ninclude snippet\n{}{}",
-      box(10 * pair.radius, " units box"), shortest(pair.radius), grains(pair, start, " units box"),
+      "communicate single vel yes\nunits si\n{}neighbor {} bin\nneigh_modify delay 0\n{}include snippet\n{}{}",
+      box(pair, types, " units box"), shortest(pair.a.radius), walls(pair, place), grains(pair, start, " units box"),
       stepping(step, out, "", start));
 }
 
-/// The dump of both: per step a header that ends in "ITEM: ATOMS", then one line a sphere.
+/// The dump of both: per step a header that ends in "ITEM: ATOMS", then one line a grain.
 Trajectory read_dump(const std::string& text, const Encounter& pair, double step) {
   Trajectory trajectory;
   std::istringstream lines(text);
@@ -102,36 +138,59 @@ Trajectory read_dump(const std::string& text, const Encounter& pair, double step
     if (line.starts_with("ITEM: TIMESTEP")) lines >> number;
     if (!line.starts_with("ITEM: ATOMS")) continue;
     double id = 0, x[2]{}, v[2]{}, f[2]{};
-    for (int i = 0; i < 2; ++i) lines >> id >> x[i] >> v[i] >> f[i];
-    trajectory.push_back({static_cast<double>(number) * step, 2 * pair.radius - (x[1] - x[0]), v[0] - v[1], f[1]});
+    for (int i = 0; i < (pair.b ? 2 : 1); ++i) lines >> id >> x[i] >> v[i] >> f[i];
+    const double time = static_cast<double>(number) * step;
+    if (pair.b)
+      trajectory.push_back({time, pair.reach() - (x[1] - x[0]), v[0] - v[1], f[1]});
+    else
+      trajectory.push_back({time, pair.reach() - x[0], -v[0], f[0]});
   }
   return trajectory;
+}
+
+/// A grain in Yade's words: (x, v, radius, density, its material's name).
+std::string yade_grain(const Grain& grain, double x, double v) {
+  return fmt::format("({}, {}, {}, {}, '{}')", shortest(x), shortest(v), shortest(grain.radius),
+                     shortest(grain.density), grain.material);
 }
 
 /// Run i writes the file <i>.
 std::string yade_script(const Encounter& pair, const std::vector<double>& steps) {
   std::string script =
-      "from yade import *\nexec(open('snippet').read())\n"
-      "def encounter(i, dt, count, x, r, v, density):\n"
+      "from yade import *\n"
+      "def encounter(i, dt, count, grains, walls, reach):\n"
       "  O.reset()\n"
-      "  material.density = density\n"
-      "  O.materials.append(material)\n"
-      "  ids = [O.bodies.append(utils.sphere((s * x, 0, 0), r, material=material)) for s in (-1, 1)]\n"
-      "  a, b = [O.bodies[n] for n in ids]\n"
-      "  a.state.vel, b.state.vel = (v / 2, 0, 0), (-v / 2, 0, 0)\n"
-      "  O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb()], verletDist=r / 2),\n"
-      "    InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [ip2], [law2]), NewtonIntegrator(damping=0)]\n"
+      "  exec(open('snippet').read(), globals())\n"
+      "  if material_of(grains[0]).id < 0: O.materials.append(material_of(grains[0]))\n"
+      "  bodies = []\n"
+      "  for g in grains:\n"
+      "    material_of(g).density = g[3]\n"
+      "    O.bodies.append(utils.sphere((g[0], 0, 0), g[2], material=material_of(g)))\n"
+      "    bodies.append(O.bodies[-1])\n"
+      "    bodies[-1].state.vel = (g[1], 0, 0)\n"
+      "  for x, name in walls: O.bodies.append(utils.wall((x, 0, 0), axis=0, material=globals()[name]))\n"
+      "  O.engines = [ForceResetter(),\n"
+      "    InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()], verletDist=grains[0][2] / 2),\n"
+      "    InteractionLoop(globals().get('ig2', [Ig2_Sphere_Sphere_ScGeom()]), [ip2], [law2]),\n"
+      "    NewtonIntegrator(damping=0)]\n"
       "  O.dt = dt\n"
+      "  last = bodies[-1]\n"
       "  with open(str(i), 'w') as out:\n"
       "    for n in range(count):\n"
-      "      xa, xb, va, vb = a.state.pos[0], b.state.pos[0], a.state.vel[0], b.state.vel[0]\n"
+      "      x, v = last.state.pos[0], last.state.vel[0]\n"
+      "      if len(bodies) == 2: x, v = x - bodies[0].state.pos[0], v - bodies[0].state.vel[0]\n"
       "      O.step()\n"
-      "      out.write(f'{n * dt!r} {2 * r - (xb - xa)!r} {va - vb!r} {O.forces.f(ids[1])[0]!r}\\n')\n";
+      "      out.write(f'{n * dt!r} {reach - x!r} {-v!r} {O.forces.f(last.id)[0]!r}\\n')\n"
+      "def material_of(grain): return globals()[grain[4]]\n";
+  std::string walls;
+  for (std::size_t i = 0; i < pair.walls.size(); ++i)
+    walls += fmt::format("({}, 'wall_material{}'), ", shortest(wall_at(pair, i)), pair.walls[i]);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Start start = start_of(pair, steps[i]);
-    script += fmt::format("encounter({}, {}, {}, {}, {}, {}, {})\n", i, shortest(steps[i]), start.steps,
-                          shortest(start.half_distance), shortest(pair.radius), shortest(pair.velocity),
-                          shortest(pair.density));
+    std::string grains = yade_grain(pair.a, start.x[0], start.v[0]);
+    if (pair.b) grains += ", " + yade_grain(*pair.b, start.x[1], start.v[1]);
+    script += fmt::format("encounter({}, {}, {}, [{}], [{}], {})\n", i, shortest(steps[i]), start.steps, grains, walls,
+                          shortest(pair.reach()));
   }
   return script;
 }
@@ -176,7 +235,7 @@ void run_in(const console::ScratchFolder& folder, std::vector<std::string> argum
 
 }  // namespace
 
-double Encounter::mass_eff() const { return 2.0 / 3.0 * std::numbers::pi * radius * radius * radius * density; }
+double Grain::mass() const { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density; }
 
 std::optional<EngineProgram> EngineProgram::find(Engine engine, bool fractional) {
   std::optional<std::string> command;

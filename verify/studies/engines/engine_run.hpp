@@ -8,7 +8,7 @@
 
 namespace ricochet::verify::engines {
 
-/// One instant of a head-on collision of two equal spheres.
+/// One instant of a head-on collision.
 struct Instant {
   double time;     ///< from the start of the run [s]
   double overlap;  ///< [m]
@@ -17,18 +17,33 @@ struct Instant {
 };
 using Trajectory = std::vector<Instant>;
 
-/// Two equal spheres that fly at each other with half the velocity each.
-struct Encounter {
-  double radius;    ///< of each [m]
-  double density;   ///< [kg/m³]
-  double velocity;  ///< relative [m/s]
-  double duration;  ///< of the run [s]
+/// A grain as the snippet knows it.
+struct Grain {
+  double radius = 0, density = 0;     ///< [m], [kg/m³]
+  int type = 1;                       ///< in LIGGGHTS and LAMMPS
+  std::string material = "material";  ///< in Yade
 
-  double mass_eff() const;
-  double radius_eff() const { return 0.5 * radius; }
+  double mass() const;
 };
 
-/// Before the first touch the spheres fly this many steps. Not a whole number: engines meet a contact inside a step.
+/// Two grains that fly at each other with half the velocity each, or one that flies at a wall.
+struct Encounter {
+  Grain a = {};
+  std::optional<Grain> b = {};  ///< none: a wall
+  double velocity = 0;          ///< relative [m/s]
+  double tcol = 0;              ///< of the collision, roughly [s]; a run takes 1.7 of it
+  int grain_types = 1;          ///< that the snippet has
+  /// What follows ricochet_wall and wall_material in the snippet, of each kind of wall; without b the first is met.
+  std::vector<std::string> walls = {};
+
+  double duration() const { return 1.7 * tcol; }
+  double mass_eff() const { return b ? a.mass() / (1 + a.mass() / b->mass()) : a.mass(); }
+  double radius_eff() const { return b ? a.radius / (1 + a.radius / b->radius) : a.radius; }
+  /// Distance of the centres, or of a's from the wall, at touch [m].
+  double reach() const { return b ? a.radius + b->radius : a.radius; }
+};
+
+/// Before the first touch the grains fly this many steps. Not a whole number: engines meet a contact inside a step.
 constexpr double steps_before_touch = 1.5;
 
 /// An engine that is installed on this machine.

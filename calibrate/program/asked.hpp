@@ -1,0 +1,102 @@
+#pragma once
+
+#include <calibrate/known.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ricochet::calibration {
+
+/// What somebody says of a contact, by flags or in the row of a file: numbers in SI units, as far as they are given.
+struct Asked {
+  std::optional<double> tcol, stiffness, young, poisson, young2, poisson2, soften, max_overlap, overlap_share, timestep,
+      steps;
+  std::optional<double> en, loss_factor, damping_ratio, alpha;
+  std::optional<double> velocity, mass_eff, radius, diameter, density, radius2, diameter2, density2;
+  bool wall = false;
+  LinearMatch match = LinearMatch::time;
+};
+
+/// What a number of `Asked` is about; of `scale` and `loss` one is enough.
+enum class Topic { scale, loss, impact };
+
+/// A number of `Asked`: its name in files (a flag has two dashes before it and one for each underscore), its unit, what
+/// it means, and whether flags take a list of it.
+struct Field {
+  std::string_view name, unit;
+  std::optional<double> Asked::*member;
+  Topic topic;
+  bool curve;
+  std::string_view meaning;
+};
+
+/// All but `overlap_share`, which is max_overlap in percent.
+inline constexpr std::array fields{
+    Field{"tcol", "s", &Asked::tcol, Topic::scale, true, "collision time to reach"},
+    Field{"stiffness", "kg/s^2", &Asked::stiffness, Topic::scale, true,
+          "the law's stiffness, in its own unit; beside --tcol the k that the fractional law holds"},
+    Field{"young", "Pa", &Asked::young, Topic::scale, true, "Young's modulus, with --poisson"},
+    Field{"poisson", "", &Asked::poisson, Topic::scale, false, "Poisson's ratio"},
+    Field{"young2", "Pa", &Asked::young2, Topic::scale, false, "of the other body or the wall (default --young)"},
+    Field{"poisson2", "", &Asked::poisson2, Topic::scale, false, "of the other body or the wall (default --poisson)"},
+    Field{"soften", "", &Asked::soften, Topic::scale, true, "divide the contact modulus by this factor, >= 1"},
+    Field{"max_overlap", "m", &Asked::max_overlap, Topic::scale, true,
+          "greatest overlap, a length or a percentage of the smaller radius"},
+    Field{"timestep", "s", &Asked::timestep, Topic::scale, true, "time step of the engine, with --steps"},
+    Field{"steps", "", &Asked::steps, Topic::scale, true, "time steps that a collision shall have"},
+    Field{"en", "", &Asked::en, Topic::loss, true, "restitution to reach, in (0, 1]"},
+    Field{"loss_factor", "", &Asked::loss_factor, Topic::loss, true, "tan delta of the material (fractional)"},
+    Field{"damping_ratio", "", &Asked::damping_ratio, Topic::loss, true,
+          "c/(2 sqrt(m k)) (linear), c/sqrt(5 m k) (tsuji)"},
+    Field{"alpha", "", &Asked::alpha, Topic::loss, true, "conversion degree (fractional), in [0, 1)"},
+    Field{"velocity", "m/s", &Asked::velocity, Topic::impact, true, "impact velocity (default 0.5)"},
+    Field{"mass_eff", "kg", &Asked::mass_eff, Topic::impact, true, "effective mass m1 m2/(m1+m2) (default 7.06858e-6)"},
+    Field{"radius", "m", &Asked::radius, Topic::impact, true,
+          "radius of the sphere, with --density instead of --mass-eff"},
+    Field{"diameter", "m", &Asked::diameter, Topic::impact, true, "its diameter instead"},
+    Field{"density", "kg/m^3", &Asked::density, Topic::impact, false, "density of the sphere"},
+    Field{"radius2", "m", &Asked::radius2, Topic::impact, false, "radius of the other sphere (default --radius)"},
+    Field{"diameter2", "m", &Asked::diameter2, Topic::impact, false, "its diameter instead"},
+    Field{"density2", "kg/m^3", &Asked::density2, Topic::impact, false,
+          "density of the other sphere (default --density)"},
+};
+
+/// How names are written to the one who gave them.
+enum class Spelling { flags, columns };
+/// "--max-overlap" or "max_overlap".
+std::string spelled(Spelling spelling, std::string_view name);
+
+/// The bodies of one contact.
+struct Bodies {
+  double mass_eff;                                   ///< [kg]
+  std::optional<double> radius_eff, smaller_radius;  ///< where they are known [m]
+  std::optional<double> density;                     ///< of both [kg/m³], where it is the same and known
+  bool from_radii = false;                           ///< radii were given, not assumed
+};
+
+/// A `Known` with what had to be assumed for it.
+struct Reading {
+  Known known;
+  Bodies bodies;
+  std::optional<double> stiffness;       ///< beside tcol: the k that the fractional law holds
+  std::vector<std::string> assumptions;  ///< in words
+};
+
+/// Mass and radii. Throws console::BadInput naming what is wrong.
+Bodies bodies_of(const Asked& asked, Spelling spelling, std::vector<std::string>& assumptions);
+/// The impact velocity, 0.5 m/s where none is given.
+double velocity_of(const Asked& asked, Spelling spelling, std::vector<std::string>& assumptions);
+
+/// One scale, one loss and the impact. Throws console::BadInput naming what is missing, contradicts itself or lies
+/// outside its domain, and what is accepted.
+Reading read(const Asked& asked, Spelling spelling);
+
+/// Are there numbers of that topic?
+bool speaks_of(const Asked& asked, Topic topic);
+/// Without those of that topic.
+Asked without(Asked asked, Topic topic);
+
+}  // namespace ricochet::calibration

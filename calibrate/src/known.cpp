@@ -1,0 +1,104 @@
+#include <calibrate/known.hpp>
+
+#include "reach.hpp"
+
+#include <ricochet/support/require.hpp>
+#include <ricochet/support/text.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace ricochet::calibration {
+namespace {
+
+double value_of(const Loss& loss) {
+  struct Value {
+    double operator()(const loss::Restitution& l) const { return l.en; }
+    double operator()(const loss::LossFactor& l) const { return l.tan_delta; }
+    double operator()(const loss::DampingRatio& l) const { return l.ratio; }
+    double operator()(const loss::ConversionDegree& l) const { return l.alpha; }
+  };
+  return std::visit(Value{}, loss);
+}
+
+/// The loss is more than the law can have and yet end so, or leaves no number of the velocity.
+Infeasible lost(LawKind law, ContactEnd end, const Loss& loss) {
+  const double limit = loss_limit(law, end, loss);
+  const bool returns = value_of(loss) < limit;
+  return {.law = law,
+          .end = end,
+          .reason = returns ? "so little of the velocity is left that no double carries the law"
+                            : "from there on the overlap never returns to zero",
+          .quantity = std::isfinite(limit) ? std::string(name(loss)) : "",
+          .asked = value_of(loss),
+          .lowest = 0,
+          .highest = std::isfinite(limit) ? limit : 0};
+}
+
+double value_of(const Scale& scale) {
+  struct Value {
+    double operator()(const scale::CollisionTime& s) const { return s.tcol; }
+    double operator()(const scale::Stiffness& s) const { return s.k; }
+    double operator()(const scale::Moduli& s) const { return s.first.young; }
+    double operator()(const scale::MaxOverlap& s) const { return s.length; }
+  };
+  return std::visit(Value{}, scale);
+}
+
+void require_time(const Scale& scale, double tcol) {
+  if (tcol >= least_scale && tcol <= greatest_scale) return;
+  support::reject(
+      name(scale), value_of(scale),
+      fmt::format("such that the collision time is {} s, not {}", range_of_scales, support::significant(tcol, 3)));
+}
+
+std::variant<Request, Infeasible> request_with(LawKind law, ContactEnd end, const Known& known,
+                                               const UnitLaws& unit_laws) {
+  const auto en = restitution(law, end, known.loss);
+  if (!en) return lost(law, end, known.loss);
+  const auto tcol = collision_time(law, end, known.scale, *en, known.impact, unit_laws);
+  if (!tcol) return out_of_reach({law, end, {1, *en, known.impact}}, Settings{}.tolerance);
+  require_time(known.scale, *tcol);
+  Request request{law, end, {*tcol, *en, known.impact}};
+  if (law == kind_of<Fractional>) request.stiffness = stiffness(law, known.scale, known.impact);
+  return request;
+}
+
+}  // namespace
+
+std::string_view name(const Scale& scale) noexcept {
+  constexpr std::array<std::string_view, std::variant_size_v<Scale>> names{"tcol", "stiffness", "young", "max_overlap"};
+  return names[scale.index()];
+}
+
+std::string_view name(const Loss& loss) noexcept {
+  constexpr std::array<std::string_view, std::variant_size_v<Loss>> names{"en", "loss_factor", "damping_ratio",
+                                                                          "alpha"};
+  return names[loss.index()];
+}
+
+std::variant<Request, Infeasible> request_of(LawKind law, ContactEnd end, const Known& known) {
+  return request_with(law, end, known, [](LawKind kind, double en, ContactEnd by) {
+    const auto unit = unit_law(kind, en, by);
+    return unit ? std::optional(unit->law) : std::nullopt;
+  });
+}
+
+std::variant<Request, Infeasible> request_of(LawKind law, ContactEnd end, const Known& known,
+                                             const DirectCalibrator& calibrator) {
+  return request_with(law, end, known, [&](LawKind kind, double en, ContactEnd by) {
+    const auto unit = calibrator({kind, by, {1, en, {1, 1}}});
+    const auto* found = std::get_if<AnyLaw>(&unit);
+    return found ? std::optional(*found) : std::nullopt;
+  });
+}
+
+Outcome calibrate(LawKind law, ContactEnd end, const Known& known, const Settings& settings) {
+  const auto request = request_of(law, end, known);
+  if (const auto* missed = std::get_if<Infeasible>(&request)) return *missed;
+  return calibrate(std::get<Request>(request), settings);
+}
+
+}  // namespace ricochet::calibration
