@@ -1,6 +1,7 @@
 #include "materials.hpp"
 #include "report.hpp"
 
+#include <console/input.hpp>
 #include <console/json.hpp>
 #include <console/number.hpp>
 #include <console/output.hpp>
