@@ -53,8 +53,9 @@ SignCase rigid() {
   constexpr int steps = 20;
   const double h = duration / steps;
   const Friction friction(mu, mu, 0, 0);
-  FrictionProblem p{.normal_impulse = mass * gravity * std::cos(slope) * h,
-                    .mobility = {mobility, radius / inertia, 1 / inertia}};
+  FrictionProblem p;
+  p.normal_impulse = mass * gravity * std::cos(slope) * h;
+  p.mobility = {mobility, radius / inertia, 1 / inertia};
   Vec3 u{slip_at_start, 0, 0};
   for (int n = 0; n < steps; ++n) {
     p.before.slip = u;
