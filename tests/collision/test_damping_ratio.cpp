@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <ricochet/collision/collision.hpp>
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/collision/peer_damping.hpp>
 
@@ -92,7 +93,7 @@ TEST_CASE("Kuwabara and Kono's restitution by the form of Müller and Pöschel, 
   for (const Known& k :
        {Known{0.4, 0.836034492, 1.6e-4}, Known{0.8, 0.525370938, 2.7e-3}, Known{2, 0.092999595, 8.4e-3}}) {
     CHECK(collide(KuwabaraKono(1, k.u * k.u), {1, 1}).en == Approx(k.en).epsilon(1e-8));
-    CHECK(mueller_poeschel_restitution(k.u) - k.en == Approx(k.off).epsilon(0.03));
+    CHECK(mueller_poeschel_restitution(k.u) - k.en == Approx(k.off).epsilon(0.04));
   }
   CHECK(mueller_poeschel_restitution(0) == 1);
 }
