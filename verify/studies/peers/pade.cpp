@@ -66,7 +66,7 @@ std::vector<console::Json> pade_rows() {
 
 std::vector<Gate> pade_gates() {
   using std::numbers::pi;
-  // C₁ = Γ(3/5) √π/(2^{1/5} 5^{2/5} Γ(21/10)) in units where c = u²: Ramírez, Pöschel, Brilliantov, Schwager, Phys. Rev.
+  // C₁ = Γ(3/5) √π/(2^{1/5} 5^{2/5} Γ(21/10)) where c = u²: Ramírez, Pöschel, Brilliantov, Schwager, Phys. Rev.
   // E 60, 4465 (1999). The extrapolation leaves (4/3) 0.267u³ = 2e-7 and the collision's own 1e-11/u² = 2e-7.
   const double c1 = std::tgamma(0.6) * std::sqrt(pi) / (std::pow(2, 0.2) * std::pow(5, 0.4) * std::tgamma(2.1));
   return {at_most("kuwabara-kono: (1 - en)/u^2 for u -> 0 against its closed form, relative",
