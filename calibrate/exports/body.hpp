@@ -69,9 +69,8 @@ const Law& law_of(const PairCase& pair) {
 
 /// 3k/(4√R) [Pa]: the effective modulus E* of Hertz' contact with kζ^{3/2}, k = (4/3)E*√R.
 double effective_modulus(double hertz_stiffness, double radius_eff);
-/// E [Pa] of each kind, from E* of its pairs by 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂, where the engine takes
-/// `radius_share` times R for the effective radius against a wall. nullopt where no moduli give every pair.
-std::optional<std::vector<double>> youngs_moduli(const ContactSet& set, double radius_share = 1);
+/// E [Pa] of each kind, from E* of its pairs by 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; nullopt where none give every pair.
+std::optional<std::vector<double>> youngs_moduli(const ContactSet& set);
 
 /// The restitution that the form −ln e/√(π²+ln²e) turns into `damping_ratio`; nothing where that is ≥ 1.
 std::optional<double> logarithmic_restitution(double damping_ratio);

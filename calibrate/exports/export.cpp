@@ -132,8 +132,7 @@ struct PairSteps {
 };
 
 /// As the engine steps the pair, towards what its law gives.
-PairSteps steps_of(const ContactSet& set, std::size_t i, const Collision& gives) {
-  const PairCase& pair = set.pairs[i];
+PairSteps steps_of(const ContactSet& set, const PairCase& pair, const Collision& gives) {
   const ContactEnd end = gives.status == CollisionStatus::ended_by_force ? ContactEnd::force : ContactEnd::overlap;
   const bool located = std::holds_alternative<Fractional>(pair.law);
   return {end == set.end ? pair.tcol : gives.tcol, step_errors(pair.law, end, {gives.tcol, gives.en, pair.impact},
@@ -160,14 +159,23 @@ void append_step(const Language& in, const ContactSet& set, Snippet& snippet) {
     return;
   }
   std::vector<PairSteps> pairs;
-  for (std::size_t i = 0; i < set.pairs.size(); ++i) pairs.push_back(steps_of(set, i, snippet.gives[i]));
+  for (std::size_t i = 0; i < set.pairs.size(); ++i) pairs.push_back(steps_of(set, set.pairs[i], snippet.gives[i]));
+  const auto end = snippet.gives.front().status;
+  for (const PairCase& other : set.other_sizes) {
+    const Collision gives =
+        collide(other.law, other.impact,
+                {.end = end == CollisionStatus::ended_by_force ? ContactEnd::force : ContactEnd::overlap});
+    if (gives.separated()) pairs.push_back(steps_of(set, other, gives));
+  }
+  // As a share of the collision time where there is only one.
+  const bool one = std::all_of(pairs.begin(), pairs.end(), [&](const PairSteps& p) { return p.tcol == pairs[0].tcol; });
   std::string told;
   std::optional<double> finest;
   for (const double bound : step_bounds)
     if (const auto step = step_for(pairs, bound)) {
-      told += fmt::format("{}{} s (tcol/{}){} to {} %", finest ? ", " : "", shortest(*step),
-                          rounded(pairs.front().tcol / *step), finest ? "" : " keeps the restitution",
-                          shortest(100 * bound));
+      told += fmt::format("{}{} s{}{} to {} %", finest ? ", " : "", shortest(*step),
+                          one ? fmt::format(" (tcol/{})", rounded(pairs[0].tcol / *step)) : "",
+                          finest ? "" : " keeps the restitution", shortest(100 * bound));
       finest = step;
     }
   if (!finest) return;
@@ -334,11 +342,9 @@ std::vector<double> members(const std::vector<double>& parts) {
   return all;
 }
 
-std::optional<std::vector<double>> youngs_moduli(const ContactSet& set, double radius_share) {
-  const auto parts = in_series(set, [&](const PairCase& pair) {
-    const double share = set.kinds[pair.b].wall ? radius_share : 1;
-    return effective_modulus(values(pair.law).front(), share * *pair.radius_eff);
-  });
+std::optional<std::vector<double>> youngs_moduli(const ContactSet& set) {
+  const auto parts = in_series(
+      set, [](const PairCase& pair) { return effective_modulus(values(pair.law).front(), *pair.radius_eff); });
   if (!parts) return std::nullopt;
   std::vector<double> moduli = members(*parts);
   for (std::size_t i = 0; i < moduli.size(); ++i) moduli[i] *= 1 - set.kinds[i].poisson * set.kinds[i].poisson;

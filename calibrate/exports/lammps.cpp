@@ -91,6 +91,7 @@ struct Lammps {
   }
 
   Body operator()(const Linear& law) const {
+    if (!set.other_sizes.empty()) return by_ratio();
     return {.fidelity = Fidelity::exact,
             .remarks = {setting(),
                         fmt::format("damping velocity takes c in kg/s as it is, for every pair. The styles gran/hooke "
@@ -115,35 +116,43 @@ struct Lammps {
             })};
   }
 
-  static double stiffness_of(const PairCase& p) { return law_of<Tsuji>(p).k() / std::sqrt(*p.radius_eff); }
-  /// c/√(mk), what the polynomial has to give.
-  static double eta_of(const PairCase& p) {
-    return law_of<Tsuji>(p).c() / std::sqrt(p.impact.mass_eff * law_of<Tsuji>(p).k());
+  /// Laws whose damping is a share of √(mK): linear, K = k, and Tsuji's, K = k√ζ. `normal` is LAMMPS's word, and the
+  /// stiffness what it multiplies by the overlap or √(R ζ³).
+  struct Ratio {
+    std::string_view normal;
+    double stiffness;
+    double eta;   ///< c/√(mk), what the polynomial has to give
+    double beta;  ///< the damping ratio
+  };
+  static Ratio ratio_of(const PairCase& p) {
+    const double m = p.impact.mass_eff;
+    if (const auto* law = std::get_if<Linear>(&p.law))
+      return {"hooke", law->k(), law->c() / std::sqrt(m * law->k()), damping_ratio(*law, m)};
+    const auto& law = law_of<Tsuji>(p);
+    return {"hertz", law.k() / std::sqrt(*p.radius_eff), law.c() / std::sqrt(m * law.k()), damping_ratio(law, m)};
   }
 
   /// One contact by version: through a restitution where that exists, through the polynomial before.
   std::string by_version(const PairCase& p) const {
-    if (law_of<Tsuji>(p).c() == 0)
-      return fmt::format("{}{}{}\n", before(p), contact("hertz", stiffness_of(p), 0, "velocity"), behind(p));
-    const auto en = logarithmic_restitution(damping_ratio(law_of<Tsuji>(p), p.impact.mass_eff));
+    const auto [normal, stiffness, eta, beta] = ratio_of(p);
+    if (eta == 0) return fmt::format("{}{}{}\n", before(p), contact(normal, stiffness, 0, "velocity"), behind(p));
+    const auto en = logarithmic_restitution(beta);
     const std::string since =
-        en ? "\"" + before(p) + contact("hertz", stiffness_of(p), *en, "coeff_restitution") + behind(p) + "\""
+        en ? "\"" + before(p) + contact(normal, stiffness, *en, "coeff_restitution") + behind(p) + "\""
            : "\"print 'Ricochet: no damping of this version is that strong for sure'\" quit";
-    const std::string until =
-        before(p) + contact("hertz", stiffness_of(p), *polynomial_argument(eta_of(p)), "tsuji") + behind(p);
+    const std::string until = before(p) + contact(normal, stiffness, *polynomial_argument(eta), "tsuji") + behind(p);
     return fmt::format("if \"$(version) >= {}\" then &\n  {} &\nelse &\n  \"{}\"\n",
                        en ? knows_restitution : polynomial_changed, since, until);
   }
 
-  Body operator()(const Tsuji&) const {
-    if (!knows_radii(set)) return needs_radius();
+  Body by_ratio() const {
     bool elastic = true;
     for (const PairCase& p : set.pairs) {
-      elastic = elastic && law_of<Tsuji>(p).c() == 0;
-      if (law_of<Tsuji>(p).c() > 0 && !polynomial_argument(eta_of(p)))
-        return absent(
-            fmt::format("NOT WRITTEN: the polynomial of damping tsuji never falls below 0.0003, this law needs {}.",
-                        rounded(eta_of(p))));
+      const double eta = ratio_of(p).eta;
+      elastic = elastic && eta == 0;
+      if (eta > 0 && !polynomial_argument(eta))
+        return absent(fmt::format(
+            "NOT WRITTEN: the polynomial of damping tsuji never falls below 0.0003, this law needs {}.", rounded(eta)));
     }
     Body body{.fidelity = Fidelity::exact, .remarks = {setting()}, .input = all([this](const PairCase& p) {
                                                                      return by_version(p);
@@ -159,6 +168,8 @@ struct Lammps {
     body.remarks.push_back(keeps_restitution());
     return body;
   }
+
+  Body operator()(const Tsuji&) const { return knows_radii(set) ? by_ratio() : needs_radius(); }
 
   Body operator()(const Hysteretic&) const {
     return absent("NOT WRITTEN: pair_style granular of this version has no plastic loading and unloading.");

@@ -169,19 +169,26 @@ struct Liggghts {
   Body operator()(const Fractional&) const {
     if (set.end != ContactEnd::force)
       return absent("NOT WRITTEN: normal fractional ends contacts by force; export with --end force.");
-    return {.fidelity = Fidelity::exact,
-            .remarks = {setting(),
-                        "Run with liggghts-ricochet, which adds this model to LIGGGHTS. Only c^alpha "
-                        "k^(1-alpha) acts, for every pair alike.",
-                        fmt::format("For the same collision time and restitution at every pair's own mass, give in "
-                                    "place of the three properties: {} and {}",
-                                    matrix("collisionTime", [](const PairCase& p) { return p.tcol; }),
-                                    matrix("coefficientRestitution", [](const PairCase& p) { return p.en; }))},
-            .input =
-                with_style({matrix("fractionalK", [](const PairCase& p) { return law_of<Fractional>(p).k(); }),
-                            matrix("fractionalC", [](const PairCase& p) { return law_of<Fractional>(p).c(); }),
-                            matrix("fractionalAlpha", [](const PairCase& p) { return law_of<Fractional>(p).alpha(); })},
-                           "fractional tangential off")};
+    const std::vector<std::string> by_target{matrix("collisionTime", [](const PairCase& p) { return p.tcol; }),
+                                             matrix("coefficientRestitution", [](const PairCase& p) { return p.en; })};
+    Body body{.fidelity = Fidelity::exact,
+              .remarks = {setting(), "Run with liggghts-ricochet, which adds this model to LIGGGHTS."}};
+    if (!set.other_sizes.empty()) {
+      body.remarks.push_back("Pairs of every size have this collision time and restitution.");
+      body.input = with_style(by_target, "fractional tangential off");
+      return body;
+    }
+    body.remarks.back() += " Only c^alpha k^(1-alpha) acts, for every pair alike.";
+    body.remarks.push_back(
+        fmt::format("For the same collision time and restitution at every pair's own mass, give in place of the three "
+                    "properties: {}",
+                    fmt::join(by_target, " and ")));
+    body.input =
+        with_style({matrix("fractionalK", [](const PairCase& p) { return law_of<Fractional>(p).k(); }),
+                    matrix("fractionalC", [](const PairCase& p) { return law_of<Fractional>(p).c(); }),
+                    matrix("fractionalAlpha", [](const PairCase& p) { return law_of<Fractional>(p).alpha(); })},
+                   "fractional tangential off");
+    return body;
   }
 
   /// Any law of which nothing is said above.

@@ -4,14 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ricochet::calibration {
 
 namespace {
-
-/// The effective radius against a wall in Yade, over the sphere's: a wall takes the sphere's own radius for its own,
-/// r r/(r + r), a facet twice that.
-constexpr double share_at_walls = 1.0 / 2, share_at_facets = 2.0 / 3;
 
 struct Yade {
   const ContactSet& set;
@@ -19,16 +16,18 @@ struct Yade {
   bool several() const { return set.kinds.size() > 1; }
 
   std::string setting() const {
-    return several()
-               ? "Appends the materials to O.materials; defines ip2 and law2 for InteractionLoop(["
-                 "Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()], [ip2], [law2]). Set "
-                 "NewtonIntegrator(damping=0): its default of 0.2 would slow every grain. Grains are frictionless "
-                 "here."
-               : "Defines material, ip2 and law2: O.materials.append(material), and "
-                 "InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [ip2], [law2]). Set NewtonIntegrator(damping=0): "
-                 "its default "
-                 "of 0.2 would slow every grain. Grains are "
-                 "frictionless here.";
+    constexpr std::string_view rest =
+        "Set NewtonIntegrator(damping=0): its default of 0.2 would slow every grain. Grains are frictionless here.";
+    if (!several())
+      return fmt::format(
+          "Defines material, ip2 and law2: O.materials.append(material), and "
+          "InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [ip2], [law2]). {}",
+          rest);
+    return fmt::format(
+        "Appends the materials to O.materials; defines ig2, ip2 and law2 for InteractionLoop(ig2, [ip2], "
+        "[law2]). hertzian=True makes a wall flat; without it a wall counts as a sphere of the sphere's "
+        "own radius, a facet as one of twice that. {}",
+        rest);
   }
   static std::string clips() {
     return "Yade clips the attractive part of this law's force, so contacts end by force; calibrate with --end force "
@@ -59,7 +58,12 @@ struct Yade {
       text += material(i, of, arguments(i));
       names.push_back(name_of(i));
     }
-    return several() ? text + fmt::format("O.materials.append([{}])\n", fmt::join(names, ", ")) : text;
+    if (!several()) return text;
+    return text + fmt::format(
+                      "O.materials.append([{}])\n"
+                      "ig2 = [Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom(hertzian=True), "
+                      "Ig2_Facet_Sphere_ScGeom(hertzian=True)]\n",
+                      fmt::join(names, ", "));
   }
 
   /// A number of every pair: as it is where all have the same, else by the materials' numbers.
@@ -69,29 +73,66 @@ struct Yade {
     if (std::all_of(set.pairs.begin(), set.pairs.end(),
                     [&](const PairCase& p) { return std::abs(value(p) - first) <= 1e-12 * first; }))
       return shortest(first);
-    std::vector<std::string> matches;
+    return matches(value);
+  }
+  template <class F>
+  std::string matches(const F& value) const {
+    std::vector<std::string> all;
     for (const PairCase& p : set.pairs)
-      matches.push_back(fmt::format("({}.id, {}.id, {})", name_of(p.a), name_of(p.b), shortest(value(p))));
-    return fmt::format("MatchMaker(matches=[{}])", fmt::join(matches, ", "));
+      all.push_back(fmt::format("({}.id, {}.id, {})", name_of(p.a), name_of(p.b), shortest(value(p))));
+    return fmt::format("MatchMaker(matches=[{}])", fmt::join(all, ", "));
   }
 
-  Body operator()(const Linear&) const {
+  /// Springs and dashpots of the materials, in series; nothing where none give every pair.
+  std::optional<std::string> by_material() const {
     const bool elastic =
         std::all_of(set.pairs.begin(), set.pairs.end(), [](const PairCase& p) { return law_of<Linear>(p).c() == 0; });
     const auto springs = in_series(set, [](const PairCase& p) { return law_of<Linear>(p).k(); });
     const auto dashpots = elastic ? std::optional(std::vector<double>(set.kinds.size(), 0))
                                   : in_series(set, [](const PairCase& p) { return law_of<Linear>(p).c(); });
-    if (!springs || !dashpots) return needs_materials("Yade");
+    if (!springs || !dashpots) return std::nullopt;
     const auto kn = members(*springs), cn = elastic ? *dashpots : members(*dashpots);
-    Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(),
-                          "Yade joins the two grains' springs and dashpots in series, so the material "
-                          "carries twice the pair's k and c."},
-              .input = materials("ViscElMat",
-                                 [&](std::size_t i) {
-                                   return fmt::format("kn={}, cn={}, ks=0, cs=0", shortest(kn[i]), shortest(cn[i]));
-                                 }) +
-                       "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()\nlaw2 = Law2_ScGeom_ViscElPhys_Basic()\n"};
+    return materials("ViscElMat",
+                     [&](std::size_t i) {
+                       return fmt::format("kn={}, cn={}, ks=0, cs=0", shortest(kn[i]), shortest(cn[i]));
+                     }) +
+           "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()\n";
+  }
+
+  /// tc and en from which Yade makes k = (π² + ln²en) m'/tc² and c = −2 ln(en) m'/tc, m' being the pair's effective
+  /// mass, or half the sphere's at a wall.
+  struct AskedFor {
+    double tc, en;
+  };
+  std::optional<AskedFor> asked_for(const PairCase& p) const {
+    const auto& law = law_of<Linear>(p);
+    const double mass = set.kinds[p.b].wall ? 0.5 * p.impact.mass_eff : p.impact.mass_eff;
+    const double left = law.k() - law.c() * law.c() / (4 * mass);
+    if (!(left > 0)) return std::nullopt;
+    const double tc = std::numbers::pi * std::sqrt(mass / left);
+    return AskedFor{tc, std::exp(-law.c() * tc / (2 * mass))};
+  }
+  std::optional<std::string> by_time() const {
+    for (const PairCase& p : set.pairs)
+      if (!asked_for(p)) return std::nullopt;
+    return materials("ViscElMat", [](std::size_t) { return std::string("tc=1, en=1, et=1"); }) +
+           fmt::format("ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys(tc={}, en={}, et=MatchMaker(algo='val', val=1))\n",
+                       matches([this](const PairCase& p) { return asked_for(p)->tc; }),
+                       matches([this](const PairCase& p) { return asked_for(p)->en; }));
+  }
+
+  Body operator()(const Linear&) const {
+    const auto timed = several() ? by_time() : std::nullopt;
+    const auto input = timed ? timed : by_material();
+    if (!input) return needs_materials("Yade");
+    Body body{
+        .fidelity = Fidelity::exact,
+        .remarks = {setting(), timed ? "tc and en are what makes Yade take these k and c; the contact, whose force "
+                                       "is clipped, keeps other ones. Pairs of other masses keep the collision "
+                                       "time and the restitution."
+                                     : "Yade joins the two grains' springs and dashpots in series, so the material "
+                                       "carries twice the pair's k and c."},
+        .input = *input + "law2 = Law2_ScGeom_ViscElPhys_Basic()\n"};
     end_otherwise(body, set, ContactEnd::force, clips());
     return body;
   }
@@ -105,22 +146,9 @@ struct Yade {
     return damping_ratio(law_of<Tsuji>(p), p.impact.mass_eff) * std::sqrt(5.0 / 6.0);
   }
 
-  std::string about_walls() const {
-    std::string facets;
-    if (const auto young = youngs_moduli(set, share_at_facets))
-      for (const std::size_t wall : walls_of(set))
-        facets += fmt::format(" {} young={},", name_of(wall), shortest((*young)[wall]));
-    else
-      facets = " no modulus gives these contacts,";
-    facets.pop_back();
-    return "Yade takes a wall's radius to be the sphere's own, R = r/2 where r is right, and R = 2r/3 at a facet. The "
-           "wall's modulus below makes up for it with Ig2_Wall_Sphere_ScGeom; for facets, Ig2_Facet_Sphere_ScGeom:" +
-           facets + ".";
-  }
-
   Body operator()(const Tsuji&) const {
     if (!knows_radii(set)) return needs_radius();
-    const auto young = youngs_moduli(set, share_at_walls);
+    const auto young = youngs_moduli(set);
     if (!young) return needs_materials("Yade");
     Body body{.fidelity = Fidelity::exact,
               .remarks = {setting(),
@@ -137,7 +165,6 @@ struct Yade {
                        fmt::format("ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(betan={}, betas=0)\n"
                                    "law2 = Law2_ScGeom_MindlinPhys_Mindlin()\n",
                                    by_pair(betan_of))};
-    if (!walls_of(set).empty()) body.remarks.push_back(about_walls());
     end_otherwise(body, set, ContactEnd::force, clips());
     return body;
   }

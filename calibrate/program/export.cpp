@@ -86,6 +86,12 @@ std::string document_of(const std::vector<Snippet>& snippets, Engine engine) {
   return console::document(json);
 }
 
+void require_exportable(console::Format format) {
+  if (format != console::Format::table && format != console::Format::json)
+    throw console::BadInput("--format", format == console::Format::csv ? "csv" : "markdown",
+                            "table (the engine's own language) or json with --export");
+}
+
 /// Throws console::Unreachable where there are laws and the engine can be given none of them.
 void require_one(const std::vector<Snippet>& snippets, Engine engine) {
   std::vector<std::string> reasons;
@@ -117,10 +123,14 @@ std::string exported(const Report& report, Engine engine) {
   return text_of(report, snippets_of(report, engine), engine);
 }
 
+std::string exported(const std::vector<Snippet>& snippets, Engine engine, console::Format format) {
+  require_exportable(format);
+  require_one(snippets, engine);
+  return format == console::Format::json ? document_of(snippets, engine) : combine(snippets);
+}
+
 std::string exported(const Report& report, const std::string& name_of_engine, console::Format format) {
-  if (format != console::Format::table && format != console::Format::json)
-    throw console::BadInput("--format", format == console::Format::csv ? "csv" : "markdown",
-                            "table (the engine's own language) or json with --export");
+  require_exportable(format);
   const Engine engine = engine_named(name_of_engine).value();
   const auto snippets = snippets_of(report, engine);
   require_one(snippets, engine);

@@ -40,6 +40,7 @@ struct Options {
   std::vector<std::string> given;  ///< the options that were typed, "--law"
   std::string engine;              ///< of --export; empty: none
   std::string page;                ///< of --report; empty: none
+  std::string materials;           ///< the file of --materials; empty: none
   console::OutputOptions output;
 };
 

@@ -101,9 +101,9 @@ Json document_of(const Report& report) {
   out["target"] = target_of(report.job);
   if (report.job.given)
     out["impact"] = {{"velocity", report.job.known.impact.velocity}, {"mass_eff", report.job.known.impact.mass_eff}};
-  out["units"] = {{"tcol", "s"},          {"velocity", "m/s"},    {"mass_eff", "kg"},
-                  {"max_overlap", "m"},   {"overlap_end", "m"},   {"max_force", "N"},
-                  {"tcol_estimate", "s"}, {"timestep.step", "s"}, {"hertz_time", "s"}};
+  out["units"] = {{"tcol", "s"},        {"velocity", "m/s"},   {"mass_eff", "kg"},     {"max_overlap", "m"},
+                  {"overlap_end", "m"}, {"max_force", "N"},    {"tcol_estimate", "s"}, {"timestep.step", "s"},
+                  {"hertz_time", "s"},  {"rayleigh_time", "s"}};
   out["assumed"] = report.job.assumptions;
   out["results"] = Json::array();
   for (const Calibration& r : report.results) {
@@ -112,6 +112,7 @@ Json document_of(const Report& report) {
     if (const auto time = hertz_time_of(r.law, report.job.known.impact)) result["hertz_time"] = *time;
     out["results"].push_back(result);
   }
+  if (const auto time = rayleigh_of(report.job)) out["rayleigh_time"] = *time;
   out["infeasible"] = Json::array();
   for (const auto& missed : report.infeasible) out["infeasible"].push_back(json_of(missed));
   for (const auto& failure : report.failed)

@@ -1,5 +1,6 @@
 #include "curve.hpp"
 #include "fit_report.hpp"
+#include "materials.hpp"
 #include "report.hpp"
 #include "targets.hpp"
 
@@ -46,6 +47,7 @@ console::Exit draw_curve(const Options& options) {
 }
 
 console::Exit work(Options& options) {
+  if (!options.materials.empty()) return run_materials(options);
   if (options.curve && !(options.fit.empty() && options.targets.empty()))
     throw console::BadInput(fmt::format("{}: must be one number with {}", options.curve->flag,
                                         options.fit.empty() ? "--targets" : "--fit"));

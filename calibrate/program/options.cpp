@@ -89,7 +89,8 @@ void group_options(CLI::App& app) {
       {"Law", {"--law", "--end", "--with"}},
       {"Impact", {"--wall"}},
       {"Method", {"--method", "--algorithm", "--tolerance"}},
-      {"Many targets and measured data", {"--targets", "--threads", "--fit", "--alpha-of-speed", "--figures"}},
+      {"Many targets and measured data",
+       {"--targets", "--threads", "--fit", "--alpha-of-speed", "--figures", "--materials"}},
       {"Output", {"--export", "--report", "--format", "--output"}}};
   for (const auto& [heading, flags] : groups)
     for (const char* flag : flags) app.get_option(flag)->group(heading);
@@ -109,6 +110,11 @@ void add_files(CLI::App& app, Options& o) {
                "with --fit: the fractional law also with an alpha that follows the speed");
   app.add_option("--figures", o.figures, "with --fit: also draw measurements, fits and residuals into this folder")
       ->type_name("DIR");
+  app.add_option(
+         "--materials", o.materials,
+         "calibrate every pair of a JSON file of materials, grains and walls, instead; with --export an engine's "
+         "whole contact block")
+      ->type_name("FILE");
 }
 
 }  // namespace

@@ -34,6 +34,12 @@ Report run(const Job& job, const Settings& settings) {
   return report;
 }
 
+std::optional<double> rayleigh_of(const Job& job) {
+  const auto* moduli = std::get_if<scale::Moduli>(&job.known.scale);
+  if (job.given || !moduli || !job.density || !job.radius) return std::nullopt;
+  return rayleigh_time(*job.radius, *job.density, moduli->first.young / moduli->soften, moduli->first.poisson);
+}
+
 std::string explained(const Infeasible& missed) {
   if (missed.quantity.empty()) return missed.reason;
   using console::significant;

@@ -30,13 +30,18 @@ struct Report {
 /// One law's failure leaves the others' results as they are.
 Report run(const Job& job, const Settings& settings);
 
+/// Rayleigh's time of the smaller sphere [s], where its moduli, density and radius are known.
+std::optional<double> rayleigh_of(const Job& job);
+
 /// "en = 0.01: must be in [0.2, 1]: <why>"
 std::string explained(const Infeasible& missed);
 
 /// The laws found in the language of `engine`, as one file to include; comments alone where it has none of them.
 std::string exported(const Report& report, Engine engine);
-/// The same or as JSON. Throws console::BadInput for another format, console::Unreachable where the engine can be given
-/// none of the laws.
+/// Snippets as one file or as JSON. Throws console::BadInput for another format, console::Unreachable where the engine
+/// can be given none of them.
+std::string exported(const std::vector<Snippet>& snippets, Engine engine, console::Format format);
+/// Those of a report, which also says what it did not find. Throws as above.
 std::string exported(const Report& report, const std::string& engine, console::Format format);
 
 /// For people: parameters and collisions.

@@ -137,6 +137,8 @@ Table step_table(const Report& report) {
     }
   }
   if (missed) table.note("-: more than 20000 steps a collision");
+  if (const auto time = rayleigh_of(report.job))
+    table.note(fmt::format("Rayleigh time of the smaller sphere: {} s", console::significant(*time, 3)));
   return table;
 }
 
@@ -164,7 +166,7 @@ std::vector<Table> law_tables(const Report& report) {
 std::vector<Table> tables_of(const Report& report) {
   std::vector<Table> tables = law_tables(report);
   if (!report.results.empty() && !report.job.given) tables.push_back(check_table(report));
-  if (!report.results.empty()) tables.push_back(step_table(report));
+  if (const Table steps = step_table(report); !steps.rows().empty()) tables.push_back(steps);
   if (!report.infeasible.empty()) tables.push_back(infeasible_table(report));
   if (!report.failed.empty()) tables.push_back(failure_table(report));
   return tables;

@@ -143,8 +143,9 @@ Asked TargetRows::asked_by(const Row& row) const {
 
 std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
   row.asked = asked_by(row);
+  std::vector<std::string> unsaid;
+  row.mass_eff = bodies_of(*row.asked, Spelling::columns, unsaid).mass_eff;  // told also where the row fails
   const Reading reading = calibration::read(*row.asked, Spelling::columns);
-  row.mass_eff = reading.bodies.mass_eff;
   const LawKind kind = row.text[law].empty() ? defaults_.law : law_named("law", row.text[law]);
   const ContactEnd by = row.text[end].empty() ? defaults_.end : end_named("end", row.text[end]);
   if (!kind.ends().offer(by)) throw BadInput("end", text(by), fmt::format("force with the law {}", kind.name()));

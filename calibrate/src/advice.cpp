@@ -2,6 +2,7 @@
 
 #include <calibrate/export.hpp>
 #include <half_step_contact.hpp>
+#include <ricochet/collision/scale_and_loss.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
 #include <ricochet/support/require.hpp>
 
@@ -188,16 +189,6 @@ double rayleigh_time(double radius, double density, double young, double poisson
   support::require(poisson > -1 && poisson <= 0.5, "poisson", poisson, "in (-1, 0.5]");
   const double shear_modulus = young / (2 * (1 + poisson));
   return std::numbers::pi * radius * std::sqrt(density / shear_modulus) / (0.1631 * poisson + 0.8766);
-}
-
-double hertz_time(double hertz_stiffness, const Impact& impact) {
-  support::require_positive("stiffness", hertz_stiffness);
-  support::require_positive("velocity", impact.velocity);
-  support::require_positive("mass_eff", impact.mass_eff);
-  // 2 (5/4)^{2/5} ∫₀¹ dx/√(1 − x^{5/2}), the integral by Euler's beta function.
-  static const double length =
-      2 * std::pow(1.25, 0.4) * 0.4 * std::sqrt(std::numbers::pi) * std::tgamma(0.4) / std::tgamma(0.9);
-  return length * std::pow(impact.mass_eff / hertz_stiffness, 0.4) * std::pow(impact.velocity, -0.2);
 }
 
 std::optional<double> hertz_time_of(const AnyLaw& law, const Impact& impact) {

@@ -7,6 +7,8 @@
 
 namespace ricochet::simulate {
 
+using console::Node;
+
 NormalLaw read_law(const Node& node) {
   if (!node.json().is_object()) node.reject("an object with a law's name and parameters");
   const LawKind kind = *LawKind::named(node.at("name").one_of(Laws::names));

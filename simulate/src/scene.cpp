@@ -1,7 +1,7 @@
 #include <simulate/scene.hpp>
 
 #include "law.hpp"
-#include "node.hpp"
+#include "law_by_target.hpp"
 
 #include <console/exit.hpp>
 #include <console/number.hpp>
@@ -18,6 +18,7 @@
 namespace ricochet::simulate {
 namespace {
 
+using console::Node;
 using console::shortest;
 using console::significant;
 
@@ -62,7 +63,7 @@ Friction read_friction(const Node& node) {
                   node.has("rolling_arm") ? node.at("rolling_arm").not_negative() : 1);
 }
 
-Interactions read_interactions(const Node& node, const Materials& materials) {
+Interactions read_interactions(const Node& node, const Materials& materials, LawsByTarget& by_target) {
   Interactions interactions;
   for (std::size_t k = 0; k < node.size(); ++k) {
     const Node entry = node.at(k);
@@ -72,7 +73,9 @@ Interactions read_interactions(const Node& node, const Materials& materials) {
     const auto pair =
         std::minmax(material_of(between.at(0), materials).index, material_of(between.at(1), materials).index);
     const Node law = entry.at("law");
-    Interaction interaction{read_law(law)};
+    const bool target = is_by_target(law);
+    Interaction interaction{target ? NormalLaw(Linear(1, 0)) : read_law(law)};  // one by target is set pair by pair
+    if (target) by_target.emplace(pair, read_law_by_target(law));
     if (law.has("end") && law.at("end").one_of({"force", "overlap"}) == "overlap")
       interaction.end = ContactEnd::overlap;
     if (entry.has("friction")) interaction.friction = read_friction(entry.at("friction"));
@@ -208,7 +211,7 @@ std::string fingerprint(const std::string& text) {
 }  // namespace
 
 Scene read_scene(const std::string& file, const std::string& text) {
-  const console::Json json = parse(file, text);
+  const console::Json json = console::parse_json(file, text, "docs/scenes.md");
   const Node root(file, text, json);
   root.allow({"schema", "title", "duration", "output_interval", "step", "gravity", "materials", "interactions",
               "spheres", "walls", "boxes", "reclosing"});
@@ -216,7 +219,8 @@ Scene read_scene(const std::string& file, const std::string& text) {
   if (root.has("title")) root.at("title").text();
   Scene scene;
   const Materials materials = read_materials(root.at("materials"));
-  scene.setup.interactions = read_interactions(root.at("interactions"), materials);
+  LawsByTarget by_target;
+  scene.setup.interactions = read_interactions(root.at("interactions"), materials, by_target);
   if (root.has("gravity")) scene.setup.gravity = root.at("gravity").vector();
   read_spheres(root.at("spheres"), materials, scene);
   read_walls(root, materials, scene);
@@ -224,6 +228,7 @@ Scene read_scene(const std::string& file, const std::string& text) {
     scene.options.reclosing = Reclosing::silent;
   check_pairs(root, materials, scene);
   check_apart(root, scene.setup);
+  resolve(by_target, scene.setup);
   choose_step(root, scene);
   scene.fingerprint = fingerprint(json.dump());
   return scene;

@@ -1,9 +1,7 @@
 #include "state_file.hpp"
 
-#include "node.hpp"
-
 #include <console/exit.hpp>
-#include <console/json.hpp>
+#include <console/node.hpp>
 
 #include <fmt/format.h>
 
@@ -15,6 +13,7 @@ namespace ricochet::simulate {
 namespace {
 
 using console::Json;
+using console::Node;
 
 constexpr const char* schema = "ricochet/state/2";
 constexpr auto any_integer = std::numeric_limits<std::int64_t>::max();

@@ -313,13 +313,14 @@ TEST_CASE("with a wall, moduli of both materials give both Hertzian stiffnesses,
   CHECK(joined(young[0], young[0]) == Approx(of_grains).epsilon(1e-13));
   CHECK(joined(young[0], young[1]) == Approx(of_wall).epsilon(1e-13));
 
-  // Yade's walls count as spheres of the sphere's own radius, R = r/2.
+  // With hertzian=True Yade's walls are flat, R = r; else they count as spheres of the sphere's own radius.
   const auto yade = export_contacts(Engine::yade, set);
   const std::string grain = line_with(yade, "material = FrictMat"), wall = line_with(yade, "wall_material = FrictMat");
   const auto modulus = [](const std::string& line) { return std::stod(line.substr(line.find("young=") + 6)); };
   CHECK(joined(modulus(grain), modulus(grain)) == Approx(of_grains).epsilon(1e-13));
-  CHECK(4.0 / 3 * joined(modulus(grain), modulus(wall)) * std::sqrt(wall_radius / 2) ==
+  CHECK(4.0 / 3 * joined(modulus(grain), modulus(wall)) * std::sqrt(wall_radius) ==
         Approx(tsuji_at_wall.k()).epsilon(1e-12));
+  CHECK(acts_on(yade, "Ig2_Wall_Sphere_ScGeom(hertzian=True), Ig2_Facet_Sphere_ScGeom(hertzian=True)]"));
   CHECK(acts_on(yade, "MatchMaker(matches=[(material.id, wall_material.id, "));
   CHECK(acts_on(yade, "O.materials.append([material, wall_material])"));
 
@@ -327,17 +328,38 @@ TEST_CASE("with a wall, moduli of both materials give both Hertzian stiffnesses,
   CHECK(joined(after(mfix, "E_YOUNG(1) = "), after(mfix, "EW_YOUNG = ")) == Approx(of_wall).epsilon(1e-13));
 }
 
-TEST_CASE("Yade's springs in series reach a wall of twice the grain's stiffness, rigid, and none beyond") {
+TEST_CASE("Yade with a wall: the k and c that it makes of tc and en, with half the sphere's mass at the wall") {
   const auto yade = export_contacts(Engine::yade, beside_wall(linear_at_wall, linear_by_force, ContactEnd::force));
-  const auto number = [&](const std::string& line, const std::string& mark) {
-    return std::stod(line.substr(line.find(mark) + mark.size()));
+  const auto number = [&](const std::string& of, const std::string& pair) {
+    const std::string text = line_with(yade, "ip2 = ");
+    const std::string list = text.substr(text.find(" " + of + "=") == std::string::npos ? text.find("(" + of + "=")
+                                                                                        : text.find(" " + of + "="));
+    return std::stod(list.substr(list.find(pair) + pair.size()));
   };
-  const std::string grain = line_with(yade, "material = Visc"), wall = line_with(yade, "wall_material = Visc");
-  const double a = number(grain, "kn="), b = number(wall, "kn=");
-  CHECK(a * a / (a + a) == Approx(5211.5).epsilon(1e-14));
-  CHECK(a * b / (a + b) == Approx(10423).epsilon(1e-11));
-  const auto beyond =
-      export_contacts(Engine::yade, beside_wall(Linear(10500, 0.196), linear_by_force, ContactEnd::force));
+  for (const bool wall : {false, true}) {
+    const std::string pair = wall ? "(material.id, wall_material.id, " : "(material.id, material.id, ";
+    const double mass = wall ? wall_mass / 2 : mass_eff, tc = number("tc", pair), log_en = std::log(number("en", pair));
+    const Linear& law = wall ? linear_at_wall : linear_by_force;
+    CHECK((std::numbers::pi * std::numbers::pi + log_en * log_en) * mass / (tc * tc) == Approx(law.k()).epsilon(1e-13));
+    CHECK(-2 * log_en * mass / tc == Approx(law.c()).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("Yade's springs in series, where no tc and en give the damping, reach a wall of twice the stiffness") {
+  const Linear damped(5211.5, 0.75 * 2 * std::sqrt(5211.5 * mass_eff));  // past 1/sqrt(2) at the wall
+  const Linear at_wall(2 * damped.k(), 2 * damped.c() * 1.1);
+  const auto series = [](const Snippet& yade, const char* mark) {
+    const auto number = [&](const std::string& line) { return std::stod(line.substr(line.find(mark) + 3)); };
+    const double a = number(line_with(yade, "material = Visc")), b = number(line_with(yade, "wall_material = Visc"));
+    return std::pair(a * a / (a + a), a * b / (a + b));
+  };
+  const auto yade =
+      export_contacts(Engine::yade, beside_wall(Linear(2 * damped.k(), 1.995 * damped.c()), damped, ContactEnd::force));
+  REQUIRE(yade.fidelity == Fidelity::exact);
+  CHECK(series(yade, "kn=").first == Approx(5211.5).epsilon(1e-14));
+  CHECK(series(yade, "kn=").second == Approx(10423).epsilon(1e-11));
+  CHECK(series(yade, "cn=").second == Approx(1.995 * damped.c()).epsilon(1e-11));
+  const auto beyond = export_contacts(Engine::yade, beside_wall(at_wall, damped, ContactEnd::force));
   CHECK(beyond.fidelity == Fidelity::absent);
   CHECK(active(beyond).empty());
 }
@@ -358,6 +380,23 @@ TEST_CASE("grains of several kinds: one command or matrix entry a pair") {
   CHECK(line_with(lammps, "fix ricochet_wall_large ricochet_large wall/gran").find("hooke 500 5 ") !=
         std::string::npos);
   CHECK(export_contacts(Engine::mfix, set).fidelity == Fidelity::absent);
+}
+
+TEST_CASE("grains of a range of sizes: the numbers that keep the restitution of each") {
+  ContactSet set{ContactEnd::overlap, {{.name = "grain"}}, {{0, 0, linear, 1e-4, 0.5, {0.5, mass_eff}, radius_eff}}};
+  set.other_sizes = {{0, 0, linear, 1e-4, 0.5, {0.5, 8 * mass_eff}, 2 * radius_eff}};
+  const std::string line = line_with(export_contacts(Engine::lammps, set), "damping coeff_restitution");
+  std::istringstream numbers(line.substr(line.find("hooke ") + 6));
+  double stiffness, en;
+  numbers >> stiffness >> en;
+  CHECK(stiffness == linear.k());
+  CHECK(en == Approx(restitution_of_damping(damping_ratio(linear, mass_eff), ContactEnd::overlap)).epsilon(1e-14));
+
+  ContactSet seeds{ContactEnd::force, {{.name = "seed"}}, {{0, 0, fractional, 1e-4, 0.5, {0.5, mass_eff}, radius_eff}}};
+  seeds.other_sizes = seeds.pairs;
+  const auto liggghts = export_contacts(Engine::liggghts, seeds);
+  CHECK(after(liggghts, "collisionTime peratomtypepair 1 ") == 1e-4);
+  CHECK(after(liggghts, "coefficientRestitution peratomtypepair 1 ") == 0.5);
 }
 
 TEST_CASE("a set that makes no sense is refused") {

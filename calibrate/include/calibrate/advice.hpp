@@ -61,10 +61,8 @@ std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Ta
 /// Source: Y. Li, Y. Xu, C. Thornton, Powder Technol. 160, 219 (2005).
 double rayleigh_time(double radius, double density, double young, double poisson);
 
-/// 3.21807… (m²/(k² v))^{1/5} [s], 2.94327… times the greatest overlap over v: how long the elastic contact kζ^{3/2}
-/// lasts, k [N/m^{3/2}]. Throws std::invalid_argument unless all are > 0.
-double hertz_time(double hertz_stiffness, const Impact& impact);
-/// The same of a law with kζ^{3/2} in it; nothing for others.
+/// hertz_time (ricochet/collision/scale_and_loss.hpp) of a law with kζ^{3/2} in it, as if it were elastic [s]; nothing
+/// for others.
 std::optional<double> hertz_time_of(const AnyLaw& law, const Impact& impact);
 
 }  // namespace ricochet::calibration

@@ -52,8 +52,11 @@ struct PairCase {
 /// Every contact that an engine has to know of, all under one kind of law that ends one way.
 struct ContactSet {
   ContactEnd end = ContactEnd::force;
-  std::vector<BodyKind> kinds;          ///< grains first: the engines number their types so
-  std::vector<PairCase> pairs;          ///< not empty; the first is what was asked for
+  std::vector<BodyKind> kinds = {};  ///< grains first: the engines number their types so
+  std::vector<PairCase> pairs = {};  ///< not empty; the first is what was asked for
+  /// The same contacts at other sizes of grain, under the law that the first size's numbers make of them: with any, the
+  /// numbers are chosen to keep e_n for every size where the engine can, and the time step serves them all.
+  std::vector<PairCase> other_sizes = {};
   std::vector<std::string> notes = {};  ///< what else to tell of them, a sentence each
 };
 

@@ -1,6 +1,7 @@
 #include "contacts.hpp"
 
 #include <calibrate/calibration.hpp>
+#include <calibrate/materials.hpp>
 #include <console/number.hpp>
 #include <ricochet/collision/peer_damping.hpp>
 
@@ -73,6 +74,79 @@ void add_wall(std::vector<Contact>& contacts, Engine engine, LawKind law, Contac
         contact_of(snippet, set.pairs[i], snippet.gives[i], both[i], i == 0 ? ", wall" : ", beside a wall"));
 }
 
+/// Glass beads of two sizes and a steel plate, with moduli that are softened for the time step.
+calibration::Materials beads_and_plate(LawKind law) {
+  const ElasticSolid glass{63e6, 0.24}, steel{206e6, 0.29};
+  return {.law = law,
+          .velocity = velocity,
+          .all = {{.name = "small", .density = 2500, .least = 1e-3, .greatest = 1e-3, .solid = glass},
+                  {.name = "large", .density = 2500, .least = 3e-3, .greatest = 3e-3, .solid = glass},
+                  {.name = "plate", .wall = true, .solid = steel}},
+          .pairs = {{0, 0, 0.9}, {0, 1, 0.8}, {1, 1, 0.7}, {0, 2, 0.6}, {1, 2, 0.5}}};
+}
+
+/// A grain as the snippet names it.
+Grain grain_of(const calibration::Materials& materials, std::size_t kind) {
+  const calibration::Material& m = materials.all[kind];
+  return {m.least, m.density, static_cast<int>(kind) + 1, "material_" + m.name};
+}
+
+/// One file of every pair and the wall, `calibrate --materials`; each contact is run.
+void add_materials(std::vector<Contact>& contacts, Engine engine, LawKind law) {
+  const calibration::Materials materials = beads_and_plate(law);
+  std::vector<calibration::PairResult> found;
+  for (const auto& outcome : calibration::calibrate_pairs(materials))
+    found.push_back(std::get<calibration::PairResult>(outcome));
+  const auto set = calibration::contact_set(materials, found, calibration::Kept::numbers);
+  const auto snippet = calibration::export_contacts(engine, set);
+  if (snippet.fidelity == calibration::Fidelity::absent) return;
+  for (std::size_t i = 0; i < set.pairs.size(); ++i) {
+    const calibration::PairCase& pair = set.pairs[i];
+    Encounter who = two_spheres();
+    who.a = grain_of(materials, pair.a);
+    who.b.reset();
+    who.tcol = pair.tcol;
+    who.grain_types = 2;
+    who.walls = {""};
+    if (pair.b != 2) who.b = grain_of(materials, pair.b);
+    contacts.push_back(contact_of(snippet, pair, snippet.gives[i], who,
+                                  fmt::format(", {} and {}", set.kinds[pair.a].name, set.kinds[pair.b].name)));
+  }
+}
+
+/// Beads of a range of radii and the plate in one file: what the smallest, unlike and greatest do is what the file's
+/// numbers make of the law at those sizes.
+void add_sizes(std::vector<Contact>& contacts, Engine engine, LawKind law) {
+  calibration::Materials materials = beads_and_plate(law);
+  materials.all.erase(materials.all.begin() + 1);
+  materials.all[0].greatest = 3e-3;
+  materials.pairs = {{0, 0, 0.7}, {0, 1, 0.5}};
+  const auto kept = calibration::kept_by(text(engine), law);
+  std::vector<calibration::PairResult> found;
+  for (const auto& outcome : calibration::calibrate_pairs(materials))
+    found.push_back(std::get<calibration::PairResult>(outcome));
+  const auto snippet = calibration::export_contacts(engine, calibration::contact_set(materials, found, kept));
+  if (snippet.fidelity == calibration::Fidelity::absent) return;
+  for (const auto& pair : found)
+    for (const auto& s : calibration::over_sizes(materials, pair, kept)) {
+      Encounter who = two_spheres();
+      who.a.radius = s.radius_a;
+      who.a.density = 2500;
+      who.b.reset();
+      who.tcol = s.collision.tcol;
+      who.walls = {""};
+      if (s.radius_b > 0) {
+        who.b = who.a;
+        who.b->radius = s.radius_b;
+      }
+      const calibration::PairCase sized{0,        pair.asked.b, s.law, s.collision.tcol, s.collision.en,
+                                        s.impact, s.radius_eff};
+      contacts.push_back(contact_of(snippet, sized, s.collision, who,
+                                    fmt::format(", {} mm and {}", console::shortest(1e3 * s.radius_a),
+                                                who.b ? console::shortest(1e3 * s.radius_b) + " mm" : "wall")));
+    }
+}
+
 /// Every law that the engine can be given, as `calibrate --export` writes it; at one restitution with a wall, too.
 void add_exports(std::vector<Contact>& contacts, Engine engine) {
   for (const double en : {0.5, 0.9})
@@ -82,6 +156,8 @@ void add_exports(std::vector<Contact>& contacts, Engine engine) {
         add_pair(contacts, engine, law, end, en);
         if (en == 0.5) add_wall(contacts, engine, law, end, en);
       }
+  for (const LawKind law : {kind_of<Linear>, kind_of<Tsuji>}) add_materials(contacts, engine, law);
+  for (const LawKind law : {kind_of<Linear>, kind_of<Tsuji>, kind_of<Fractional>}) add_sizes(contacts, engine, law);
 }
 
 const PeerDamping& peer(std::string_view id) {
@@ -145,7 +221,7 @@ void add_own_formulas(std::vector<Contact>& contacts, Engine engine) {
 
 Encounter two_spheres() {
   const Grain sphere{.radius = paper::pair.radius, .density = paper::pair.density};
-  return {.a = sphere, .b = sphere, .velocity = velocity, .duration = 1.7 * tcol};
+  return {.a = sphere, .b = sphere, .velocity = velocity, .tcol = tcol};
 }
 
 Encounter sphere_and_wall() {

@@ -51,7 +51,7 @@ struct Start {
 
 Start start_of(const Encounter& pair, double step) {
   const double gap = steps_before_touch * step * pair.velocity;
-  const long steps = std::lround(pair.duration / step);
+  const long steps = std::lround(pair.duration() / step);
   if (!pair.b) return {{pair.reach() + gap, 0}, {-pair.velocity, 0}, steps};
   return {{-pair.a.radius - 0.5 * gap, pair.b->radius + 0.5 * gap}, {0.5 * pair.velocity, -0.5 * pair.velocity}, steps};
 }
@@ -67,14 +67,22 @@ std::string box(const Encounter& pair, int types, const char* units) {
 
 std::string grains(const Encounter& pair, const Start& start, const char* units) {
   std::string text;
-  const Grain* both[] = {&pair.a, pair.b ? &*pair.b : nullptr};
-  for (int i = 0; i < 2 && both[i]; ++i)
+  int id = 0;
+  const auto add = [&](const Grain& grain, double x, double y, double v) {
     text += fmt::format(
-        "create_atoms {type} single {x} 0 0{units}\nset atom {id} diameter {diameter} density {density}\n"
+        "create_atoms {type} single {x} {y} 0{units}\nset atom {id} diameter {diameter} density {density}\n"
         "set atom {id} vx {v}\n",
-        fmt::arg("type", both[i]->type), fmt::arg("x", shortest(start.x[i])), fmt::arg("units", units),
-        fmt::arg("id", i + 1), fmt::arg("diameter", shortest(2 * both[i]->radius)),
-        fmt::arg("density", shortest(both[i]->density)), fmt::arg("v", shortest(start.v[i])));
+        fmt::arg("type", grain.type), fmt::arg("x", shortest(x)), fmt::arg("y", shortest(y)), fmt::arg("units", units),
+        fmt::arg("id", ++id), fmt::arg("diameter", shortest(2 * grain.radius)),
+        fmt::arg("density", shortest(grain.density)), fmt::arg("v", shortest(v)));
+  };
+  add(pair.a, start.x[0], 0, start.v[0]);
+  if (pair.b) add(*pair.b, start.x[1], 0, start.v[1]);
+  // LIGGGHTS wants atoms of the first type: one that stands aside.
+  if (Grain aside = pair.a; aside.type > 1) {
+    aside.type = 1;
+    add(aside, 0.5 * half_box(pair), 0.8 * half_box(pair), 0);
+  }
   return text;
 }
 
@@ -163,7 +171,7 @@ std::string yade_script(const Encounter& pair, const std::vector<double>& steps)
       "  for x, name in walls: O.bodies.append(utils.wall((x, 0, 0), axis=0, material=globals()[name]))\n"
       "  O.engines = [ForceResetter(),\n"
       "    InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()], verletDist=grains[0][2] / 2),\n"
-      "    InteractionLoop([Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()], [ip2], [law2]),\n"
+      "    InteractionLoop(globals().get('ig2', [Ig2_Sphere_Sphere_ScGeom()]), [ip2], [law2]),\n"
       "    NewtonIntegrator(damping=0)]\n"
       "  O.dt = dt\n"
       "  last = bodies[-1]\n"

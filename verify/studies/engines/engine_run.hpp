@@ -19,7 +19,7 @@ using Trajectory = std::vector<Instant>;
 
 /// A grain as the snippet knows it.
 struct Grain {
-  double radius, density;             ///< [m], [kg/m³]
+  double radius = 0, density = 0;     ///< [m], [kg/m³]
   int type = 1;                       ///< in LIGGGHTS and LAMMPS
   std::string material = "material";  ///< in Yade
 
@@ -28,14 +28,15 @@ struct Grain {
 
 /// Two grains that fly at each other with half the velocity each, or one that flies at a wall.
 struct Encounter {
-  Grain a;
-  std::optional<Grain> b;  ///< none: a wall
-  double velocity;         ///< relative [m/s]
-  double duration;         ///< of the run [s]
-  int grain_types = 1;     ///< that the snippet has
+  Grain a = {};
+  std::optional<Grain> b = {};  ///< none: a wall
+  double velocity = 0;          ///< relative [m/s]
+  double tcol = 0;              ///< of the collision, roughly [s]; a run takes 1.7 of it
+  int grain_types = 1;          ///< that the snippet has
   /// What follows ricochet_wall and wall_material in the snippet, of each kind of wall; without b the first is met.
   std::vector<std::string> walls = {};
 
+  double duration() const { return 1.7 * tcol; }
   double mass_eff() const { return b ? a.mass() / (1 + a.mass() / b->mass()) : a.mass(); }
   double radius_eff() const { return b ? a.radius / (1 + a.radius / b->radius) : a.radius; }
   /// Distance of the centres, or of a's from the wall, at touch [m].

@@ -25,9 +25,9 @@ double end_of_contact(const Trajectory& path, double begin, ContactEnd end) {
   return begin;
 }
 
-Measured measure(const Trajectory& path, double step, ContactEnd end) {
+Measured measure(const Trajectory& path, double step, const Contact& what) {
   const double begin = steps_before_touch * step;
-  return {-path.back().rate / velocity, end_of_contact(path, begin, end) - begin};
+  return {-path.back().rate / what.who.velocity, end_of_contact(path, begin, what.end) - begin};
 }
 
 /// What all three engines do: leapfrog, with the force at the new position and the velocity of half a step before. The
@@ -36,7 +36,7 @@ template <class Law>
 Trajectory repeat_stepping(const Law& law, ContactEnd end, double step, const Encounter& who) {
   Trajectory path;
   double overlap = -steps_before_touch * step * who.velocity, rate = who.velocity;
-  for (long n = 0; n <= std::lround(who.duration / step); ++n) {
+  for (long n = 0; n <= std::lround(who.duration() / step); ++n) {
     double force = overlap > 0 ? law.force({overlap, rate}, {}) : 0;
     if (end == ContactEnd::force) force = std::max(0.0, force);
     path.push_back({static_cast<double>(n) * step, overlap, rate, force});
@@ -57,16 +57,16 @@ std::optional<Trajectory> repeat_stepping(const AnyLaw& law, ContactEnd end, dou
 
 Outcome run(const EngineProgram& program, const Contact& what) {
   std::vector<double> steps;
-  for (const int n : resolutions) steps.push_back(tcol / n);
+  for (const int n : resolutions) steps.push_back(what.who.tcol / n);
   Outcome outcome{.what = what, .at = {}};
   const auto paths = program.run(what.snippet, what.who, steps);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (paths[i].size() < 3) throw console::Failed(fmt::format("no trajectory came back of {}", what.name));
-    outcome.at.push_back(measure(paths[i], steps[i], what.end));
+    outcome.at.push_back(measure(paths[i], steps[i], what));
     if (!what.law) continue;
     if (const auto path = repeat_stepping(*what.law, what.end, steps[i], what.who))
-      outcome.repeated = std::max(outcome.repeated.value_or(0),
-                                  std::abs(outcome.at[i].en / measure(*path, steps[i], what.end).en - 1));
+      outcome.repeated =
+          std::max(outcome.repeated.value_or(0), std::abs(outcome.at[i].en / measure(*path, steps[i], what).en - 1));
   }
   const Measured &coarse = outcome.at[at_200], &fine = outcome.at[finest];
   outcome.limit = {2 * fine.en - coarse.en, 2 * fine.tcol - coarse.tcol};

@@ -42,7 +42,7 @@ Table results(const std::vector<Outcome>& outcomes) {
                {"error at tcol/200", "", power},
                {"tcol error, limit", "", power},
                {"repeated to", "", power}},
-              "Restitution of two spheres in the engines, tcol = 1e-4 s");
+              "Restitution of pairs and walls in the engines, tcol at the two spheres of one size 1e-4 s");
   for (const Outcome& o : outcomes) {
     std::vector<console::Cell> cells{std::string(text(o.what.engine)), o.what.name, o.what.en_asked, o.what.en};
     for (const Measured& m : o.at) cells.push_back(m.en);

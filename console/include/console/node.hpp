@@ -9,13 +9,13 @@
 #include <string>
 #include <string_view>
 
-namespace ricochet::simulate {
+namespace ricochet::console {
 
-/// A value of a scene or state file that knows its place: every complaint names line, column and JSON path.
+/// A value of a JSON file that knows its place: every complaint names line, column and JSON path.
 class Node {
  public:
   /// `text` is what `json` was parsed from; both outlive the node and its children.
-  Node(std::string file, const std::string& text, const console::Json& json)
+  Node(std::string file, const std::string& text, const Json& json)
       : file_(std::move(file)), text_(&text), json_(&json) {}
 
   /// Throws BadInput "file:line:column: /path = value: must be <accepted>".
@@ -42,18 +42,19 @@ class Node {
     return one_of(std::span(accepted.begin(), accepted.size()));
   }
   Vec3 vector() const;  ///< [x, y, z]
-  const console::Json& json() const { return *json_; }
+  const Json& json() const { return *json_; }
 
  private:
-  Node child(const std::string& step, const console::Json& json) const;
+  Node child(const std::string& step, const Json& json) const;
   std::string place() const;  // "file:line:column: /path"
 
   std::string file_, path_;
   const std::string* text_;
-  const console::Json* json_;
+  const Json* json_;
 };
 
-/// Parses JSON; syntax errors and repeated keys are reported with line and column.
-console::Json parse(const std::string& file, const std::string& text);
+/// Parses JSON; syntax errors and repeated keys are reported with line and column. `described_in` is the document that
+/// says what such a file holds.
+Json parse_json(const std::string& file, const std::string& text, std::string_view described_in);
 
-}  // namespace ricochet::simulate
+}  // namespace ricochet::console

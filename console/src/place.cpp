@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace ricochet::simulate {
+namespace ricochet::console {
 namespace {
 
 /// Walks over a valid JSON document, value by value.
@@ -85,4 +85,4 @@ std::size_t place_of(const std::string& text, const std::string& path) {
   return walker.at();
 }
 
-}  // namespace ricochet::simulate
+}  // namespace ricochet::console

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-namespace ricochet::simulate {
+namespace ricochet::console {
 
 /// "line:column", both from 1, of byte `offset` of the text.
 std::string line_and_column(const std::string& text, std::size_t offset);
@@ -12,4 +12,4 @@ std::string line_and_column(const std::string& text, std::size_t offset);
 /// JSON document; where the path's last value that there is does, if it leads nowhere.
 std::size_t place_of(const std::string& text, const std::string& path);
 
-}  // namespace ricochet::simulate
+}  // namespace ricochet::console

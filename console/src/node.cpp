@@ -1,4 +1,4 @@
-#include "node.hpp"
+#include <console/node.hpp>
 
 #include "place.hpp"
 
@@ -12,10 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace ricochet::simulate {
-
-using console::BadInput;
-using console::Json;
+namespace ricochet::console {
 
 std::string Node::place() const {
   return fmt::format("{}:{}: {}", file_, line_and_column(*text_, place_of(*text_, path_)), path_.empty() ? "/" : path_);
@@ -119,14 +116,14 @@ class KeysOnce {
 
 }  // namespace
 
-Json parse(const std::string& file, const std::string& text) {
+Json parse_json(const std::string& file, const std::string& text, std::string_view described_in) {
   KeysOnce keys;
   Json json;
   try {
     json = Json::parse(text, std::ref(keys));
   } catch (const Json::parse_error& error) {
-    throw BadInput(fmt::format("{}:{}: no JSON: must be one object as docs/scenes.md describes", file,
-                               line_and_column(text, error.byte > 0 ? error.byte - 1 : 0)));
+    throw BadInput(fmt::format("{}:{}: no JSON: must be one object as {} describes", file,
+                               line_and_column(text, error.byte > 0 ? error.byte - 1 : 0), described_in));
   } catch (const Json::out_of_range& error) {  // 406, "number overflow parsing '1e999'"
     const std::string message = error.what();
     const std::size_t first = message.find('\'') + 1, end = message.rfind('\'');
@@ -140,4 +137,4 @@ Json parse(const std::string& file, const std::string& text) {
   return json;
 }
 
-}  // namespace ricochet::simulate
+}  // namespace ricochet::console

@@ -1,0 +1,134 @@
+#include "law_by_target.hpp"
+
+#include <console/number.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+namespace ricochet::simulate {
+namespace {
+
+using console::Node;
+
+constexpr std::size_t most_sorts = 200;
+
+ElasticSolid read_solid(const Node& law, const std::string& young, const std::string& poisson) {
+  const Node ratio = law.at(poisson);
+  if (!(ratio.number() > -1 && ratio.number() <= 0.5)) ratio.reject("in (-1, 0.5]");
+  return {law.at(young).positive(), ratio.number()};
+}
+
+Scale read_scale(const Node& law) {
+  if (law.has("tcol")) {
+    for (const char* key : {"young", "poisson", "young2", "poisson2"})
+      if (law.has(key)) law.at(key).reject("left out with tcol");
+    return scale::CollisionTime{law.at("tcol").positive()};
+  }
+  if (!law.has("young")) law.complain("\"tcol\" or \"young\" is missing; one must be given with \"en\"");
+  const ElasticSolid first = read_solid(law, "young", "poisson");
+  const bool two = law.has("young2") || law.has("poisson2");
+  return scale::Moduli{.first = first, .second = two ? read_solid(law, "young2", "poisson2") : first, .radius_eff = 1};
+}
+
+/// Does the law change with the velocity for which it is made?
+bool needs_velocity(LawKind kind, const Scale& scale) {
+  const bool timed = std::holds_alternative<scale::CollisionTime>(scale);
+  if (kind == kind_of<KuwabaraKono>) return true;
+  return kind == kind_of<Tsuji> ? timed : !timed;
+}
+
+/// Bodies whose contacts have the same law.
+struct Sort {
+  std::size_t material;
+  double radius, density;  ///< of a wall 0
+  auto operator<=>(const Sort&) const = default;
+  double mass() const { return Sphere{.radius = radius, .density = density}.mass(); }
+  bool wall() const { return radius == 0; }
+};
+
+class Sorts {
+ public:
+  Sorts(const LawsByTarget& laws, ClusterSetup& setup) {
+    for (const auto& [pair, law] : laws) sorted_.insert({pair.first, pair.second});
+    for (Sphere& s : setup.spheres)
+      s.material = place({s.material, by_size(s.material) ? s.radius : 1, by_size(s.material) ? s.density : 1});
+    for (Wall& w : setup.walls) w.material = place({w.material, 0, 0});
+  }
+  const std::vector<Sort>& all() const { return all_; }
+
+ private:
+  bool by_size(std::size_t material) const { return sorted_.contains(material); }
+  std::size_t place(const Sort& sort) {
+    const auto [known, fresh] = places_.emplace(sort, all_.size());
+    if (fresh) all_.push_back(sort);
+    return known->second;
+  }
+
+  std::set<std::size_t> sorted_;
+  std::map<Sort, std::size_t> places_;
+  std::vector<Sort> all_;
+};
+
+AnyLaw law_of(const LawByTarget& by, ContactEnd end, const Sort& a, const Sort& b) {
+  const Sort &grain = a.wall() ? b : a, &other = a.wall() ? a : b;
+  const double mass = other.wall() ? grain.mass() : grain.mass() / (1 + grain.mass() / other.mass());
+  const double radius = other.wall() ? grain.radius : grain.radius / (1 + grain.radius / other.radius);
+  const Impact impact{by.velocity, mass};
+  Scale scale = by.scale;
+  if (auto* moduli = std::get_if<scale::Moduli>(&scale)) moduli->radius_eff = radius;
+  try {
+    const auto tcol = collision_time(by.kind, end, scale, by.en, impact);
+    const auto unit = tcol ? unit_law(by.kind, by.en, end) : std::nullopt;
+    if (const auto law = unit ? at_impact(unit->law, *tcol, impact) : std::nullopt) return *law;
+  } catch (const std::invalid_argument& misuse) {
+    by.place.complain(misuse.what());
+  }
+  by.place.complain(
+      fmt::format("no double carries this law for bodies of effective mass {} kg; en and the scale must "
+                  "be less extreme",
+                  console::significant(mass, 3)));
+}
+
+}  // namespace
+
+bool is_by_target(const Node& law) { return law.has("en"); }
+
+LawByTarget read_law_by_target(const Node& law) {
+  law.allow({"name", "en", "tcol", "young", "poisson", "young2", "poisson2", "velocity", "end"});
+  const LawKind kind = *LawKind::named(law.at("name").one_of(Laws::names));
+  const double en = law.at("en").positive();
+  if (en > 1) law.at("en").reject("in (0, 1]");
+  const Scale scale = read_scale(law);
+  if (law.has("end") && law.at("end").text() == "overlap" && !kind.ends().offer(ContactEnd::overlap))
+    law.at("end").reject(fmt::format("force with the law {}", kind.name()));
+  if (!law.has("velocity") && needs_velocity(kind, scale))
+    law.complain("\"velocity\" is missing; this law depends on the impact velocity for which it is made");
+  return {kind, en, scale, law.has("velocity") ? law.at("velocity").positive() : 1, law};
+}
+
+void resolve(const LawsByTarget& laws, ClusterSetup& setup) {
+  if (laws.empty()) return;
+  const Interactions asked = setup.interactions;
+  const Sorts sorts(laws, setup);
+  const auto& all = sorts.all();
+  if (all.size() > most_sorts)
+    laws.begin()->second.place.complain(
+        fmt::format("{} sizes of bodies; laws by target must meet at most {}", all.size(), most_sorts));
+  setup.interactions.clear();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i; j < all.size(); ++j) {
+      const auto pair = std::minmax(all[i].material, all[j].material);
+      const auto interaction = asked.find(pair);
+      if (interaction == asked.end() || (all[i].wall() && all[j].wall())) continue;
+      Interaction own = interaction->second;
+      if (const auto by = laws.find(pair); by != laws.end()) own.law = law_of(by->second, own.end, all[i], all[j]);
+      setup.interactions.emplace(std::pair(i, j), own);
+    }
+}
+
+}  // namespace ricochet::simulate

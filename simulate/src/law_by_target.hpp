@@ -1,0 +1,37 @@
+#pragma once
+
+#include <console/node.hpp>
+#include <ricochet/collision/scale_and_loss.hpp>
+#include <ricochet/motion/bodies.hpp>
+
+#include <map>
+#include <utility>
+
+namespace ricochet::simulate {
+
+/// A law that an interaction gives by what its collisions shall do, for every pair of bodies at their own effective
+/// mass and radius: e_n, and t_col or the moduli of both.
+struct LawByTarget {
+  LawKind kind;
+  double en;
+  Scale scale;      ///< of moduli without the radius, which is each pair's own
+  double velocity;  ///< of the impact [m/s], where it matters
+  console::Node place;
+};
+
+/// Laws by target of the setup's interactions, by their pair of materials.
+using LawsByTarget = std::map<std::pair<std::size_t, std::size_t>, LawByTarget>;
+
+/// Whether the object says what the collisions shall do instead of the law's parameters.
+bool is_by_target(const console::Node& law);
+
+/// Reads {"name", "en", "tcol" | "young", "poisson" [, "young2", "poisson2"], "velocity"}. Throws console::BadInput,
+/// also where the velocity is missing and the law depends on it.
+LawByTarget read_law_by_target(const console::Node& law);
+
+/// Gives every pair of bodies its own law: bodies of materials with a law by target are sorted by radius and density,
+/// each sort becomes a material of its own, and every interaction is repeated for the sorts. Without such laws the
+/// setup stays as it is. Throws console::BadInput for more than 200 sorts, and where no double carries a pair's law.
+void resolve(const LawsByTarget& laws, ClusterSetup& setup);
+
+}  // namespace ricochet::simulate
