@@ -59,7 +59,8 @@ Asked with_defaults(const Asked& own, Asked defaults) {
 
 const std::array<console::CsvColumn, TargetRows::count> TargetRows::accepted = [] {
   std::array<console::CsvColumn, count> columns;
-  for (std::size_t i = 0; i < fields.size(); ++i) columns[i] = {.name = fields[i].name, .unit = fields[i].unit};
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    columns[i] = {.name = fields[i].name, .unit = fields[i].unit, .aliases = fields[i].aliases};
   columns[law].name = "law";
   columns[end].name = "end";
   return columns;
