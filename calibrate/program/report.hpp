@@ -54,7 +54,8 @@ console::Table csv_of(const Report& report);
 console::Json document_of(const Report& report);
 std::string json_of(const Report& report);
 
-/// The same and more as one page that loads nothing, `before` (HTML) ahead of it: curves, sensitivity, time steps, export snippets.
+/// The same and more as one page that loads nothing, `before` (HTML) ahead of it: curves, sensitivity, time steps,
+/// export snippets.
 std::string page_of(const Report& report, const std::string& before = {});
 
 std::string render(const Report& report, console::Format format);
