@@ -23,19 +23,20 @@ struct Asked {
 /// What a number of `Asked` is about; of `scale` and `loss` one is enough.
 enum class Topic { scale, loss, impact };
 
-/// A number of `Asked`: its name in files (a flag has two dashes before it and one for each underscore), its unit, what
-/// it means, and whether flags take a list of it.
+/// A number of `Asked`: its name in files (a flag has two dashes before it and one for each underscore), its unit,
+/// whether flags take a list of it, what it means, and other names that columns have for it.
 struct Field {
   std::string_view name, unit;
   std::optional<double> Asked::*member;
   Topic topic;
   bool curve;
   std::string_view meaning;
+  std::string_view aliases = {};
 };
 
 /// All but `overlap_share`, which is max_overlap in percent.
 inline constexpr std::array fields{
-    Field{"tcol", "s", &Asked::tcol, Topic::scale, true, "collision time to reach"},
+    Field{"tcol", "s", &Asked::tcol, Topic::scale, true, "collision time to reach", "t_c,t_col,collision time"},
     Field{"stiffness", "kg/s^2", &Asked::stiffness, Topic::scale, true,
           "the law's stiffness, in its own unit; beside --tcol the k that the fractional law holds"},
     Field{"young", "Pa", &Asked::young, Topic::scale, true, "Young's modulus, with --poisson"},
@@ -47,12 +48,13 @@ inline constexpr std::array fields{
           "greatest overlap, a length or a percentage of the smaller radius"},
     Field{"timestep", "s", &Asked::timestep, Topic::scale, true, "time step of the engine, with --steps"},
     Field{"steps", "", &Asked::steps, Topic::scale, true, "time steps that a collision shall have"},
-    Field{"en", "", &Asked::en, Topic::loss, true, "restitution to reach, in (0, 1]"},
+    Field{"en", "", &Asked::en, Topic::loss, true, "restitution to reach, in (0, 1]", "e,e_n,cor,restitution"},
     Field{"loss_factor", "", &Asked::loss_factor, Topic::loss, true, "tan delta of the material (fractional)"},
     Field{"damping_ratio", "", &Asked::damping_ratio, Topic::loss, true,
           "c/(2 sqrt(m k)) (linear), c/sqrt(5 m k) (tsuji)"},
     Field{"alpha", "", &Asked::alpha, Topic::loss, true, "conversion degree (fractional), in [0, 1)"},
-    Field{"velocity", "m/s", &Asked::velocity, Topic::impact, true, "impact velocity (default 0.5)"},
+    Field{"velocity", "m/s", &Asked::velocity, Topic::impact, true, "impact velocity (default 0.5)",
+          "v,v0,speed,impact velocity"},
     Field{"mass_eff", "kg", &Asked::mass_eff, Topic::impact, true, "effective mass m1 m2/(m1+m2) (default 7.06858e-6)"},
     Field{"radius", "m", &Asked::radius, Topic::impact, true,
           "radius of the sphere, with --density instead of --mass-eff"},

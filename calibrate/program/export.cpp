@@ -43,12 +43,15 @@ std::optional<ContactSet> contacts_of(const Report& report, const Calibration& f
   const Target& target = found.request.target;
   PairCase asked{0, 0, found.law, target.tcol, target.en, target.impact, job.radius_eff};
   ContactSet set{found.end, {{.name = "grain", .density = job.density}}, {}};
+  const auto* moduli = std::get_if<scale::Moduli>(&job.known.scale);
+  if (moduli) set.kinds.front().poisson = moduli->first.poisson;  // then Young's moduli come out as they were given
   if (!job.wall) {
     set.pairs.push_back(asked);
     return set;
   }
   asked.b = 1;
   set.kinds.push_back({.name = "wall", .wall = true});
+  if (moduli) set.kinds.back().poisson = moduli->second.poisson;
   set.pairs.push_back(asked);
   const auto grains = law_between_grains(job, found);
   if (!grains) return std::nullopt;

@@ -108,7 +108,7 @@ Json document_of(const Report& report) {
   out["results"] = Json::array();
   for (const Calibration& r : report.results) {
     Json result = json_of(r, report.job.given.has_value());
-    result["timestep"] = json_of(engine_steps(r.law, r.end, r.request.target));
+    result["timestep"] = json_of(steps_of(r));
     if (const auto time = hertz_time_of(r.law, report.job.known.impact)) result["hertz_time"] = *time;
     out["results"].push_back(result);
   }

@@ -81,19 +81,19 @@ Table sensitivity_table(const Report& report) {
   return table;
 }
 
-/// The errors of one law by one way of stepping.
+/// The errors of one law by its way of stepping.
 struct Stepped {
   std::string title;
   std::vector<StepError> errors;
 };
 
+/// The fractional law ended by force as liggghts-ricochet steps it, which alone runs it.
 std::vector<Stepped> steppings(const Report& report) {
   std::vector<Stepped> all;
   for (const Calibration& r : report.results) {
-    all.push_back({title_of(r), step_errors(r.law, r.end, r.request.target)});
-    if (std::holds_alternative<Fractional>(r.law) && r.end == ContactEnd::force)
-      all.push_back(
-          {title_of(r) + ", liggghts-ricochet", step_errors(r.law, r.end, r.request.target, Stepping::located)});
+    const bool located = std::holds_alternative<Fractional>(r.law) && r.end == ContactEnd::force;
+    all.push_back({title_of(r) + (located ? ", liggghts-ricochet" : ""),
+                   step_errors(r.law, r.end, r.request.target, located ? Stepping::located : Stepping::half_step)});
   }
   return all;
 }

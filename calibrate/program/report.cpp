@@ -40,6 +40,11 @@ std::optional<double> rayleigh_of(const Job& job) {
   return rayleigh_time(*job.radius, *job.density, moduli->first.young / moduli->soften, moduli->first.poisson);
 }
 
+std::vector<EngineStep> steps_of(const Calibration& c) {
+  if (c.request.target.en > 1) return {};
+  return engine_steps(c.law, c.end, c.request.target);
+}
+
 std::string explained(const Infeasible& missed) {
   if (missed.quantity.empty()) return missed.reason;
   using console::significant;

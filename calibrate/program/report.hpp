@@ -44,6 +44,9 @@ std::string exported(const std::vector<Snippet>& snippets, Engine engine, consol
 /// Those of a report, which also says what it did not find. Throws as above.
 std::string exported(const Report& report, const std::string& engine, console::Format format);
 
+/// The engines' time steps for it; none for a contact that gains energy (α < 0), which no engine runs.
+std::vector<EngineStep> steps_of(const Calibration& calibration);
+
 /// For people: parameters and collisions.
 std::vector<console::Table> law_tables(const Report& report);
 /// The same with checks, time steps and what was out of reach.
@@ -54,7 +57,8 @@ console::Table csv_of(const Report& report);
 console::Json document_of(const Report& report);
 std::string json_of(const Report& report);
 
-/// The same and more as one page that loads nothing, `before` (HTML) ahead of it: curves, sensitivity, time steps, export snippets.
+/// The same and more as one page that loads nothing, `before` (HTML) ahead of it: curves, sensitivity, time steps,
+/// export snippets.
 std::string page_of(const Report& report, const std::string& before = {});
 
 std::string render(const Report& report, console::Format format);

@@ -125,7 +125,7 @@ Table step_table(const Report& report) {
   bool missed = false;
   for (const Calibration& r : report.results) {
     const auto hertz = hertz_time_of(r.law, report.job.known.impact);
-    for (const Advised& a : advised(engine_steps(r.law, r.end, r.request.target))) {
+    for (const Advised& a : advised(steps_of(r))) {
       std::vector<Cell> row{law_of(r), end_of(r), a.engines};
       for (const auto& step : a.step) {
         missed = missed || !step;

@@ -59,7 +59,8 @@ Asked with_defaults(const Asked& own, Asked defaults) {
 
 const std::array<console::CsvColumn, TargetRows::count> TargetRows::accepted = [] {
   std::array<console::CsvColumn, count> columns;
-  for (std::size_t i = 0; i < fields.size(); ++i) columns[i] = {.name = fields[i].name, .unit = fields[i].unit};
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    columns[i] = {.name = fields[i].name, .unit = fields[i].unit, .aliases = fields[i].aliases};
   columns[law].name = "law";
   columns[end].name = "end";
   return columns;
@@ -143,8 +144,9 @@ Asked TargetRows::asked_by(const Row& row) const {
 
 std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
   row.asked = asked_by(row);
+  std::vector<std::string> unsaid;
+  row.mass_eff = bodies_of(*row.asked, Spelling::columns, unsaid).mass_eff;  // told also where the row fails
   const Reading reading = calibration::read(*row.asked, Spelling::columns);
-  row.mass_eff = reading.bodies.mass_eff;
   const LawKind kind = row.text[law].empty() ? defaults_.law : law_named("law", row.text[law]);
   const ContactEnd by = row.text[end].empty() ? defaults_.end : end_named("end", row.text[end]);
   if (!kind.ends().offer(by)) throw BadInput("end", text(by), fmt::format("force with the law {}", kind.name()));

@@ -91,8 +91,8 @@ double median(std::vector<double> values) {
   return *half;
 }
 
-/// A measurement ten times as far off as the middle one of them, in units of its own error where that is known (and by a hundredth at least where not): rather a
-/// slip than chance. With fewer than five nobody could say which of them is out.
+/// A measurement ten times as far off as the middle one of them, in units of its own error where that is known, and by
+/// a hundredth at least where not: rather a slip than chance. With fewer than five nobody could say which is out.
 void add_outliers(std::vector<std::string>& said, const Fit& fit, const VectorXd& r,
                   const std::vector<Measurement>& data) {
   if (data.size() < 5) return;

@@ -31,10 +31,13 @@ run() {
   echo "? $code"
 }
 
+# A "#" between a command and its exit code belongs to what was printed; elsewhere it is the transcript's own remark.
+printed=
 while IFS= read -r line; do
   case $line in
-    '$ '*) run "${line#\$ }"; echo ;;
-    '#'*) echo "$line" ;;
+    '$ '*) run "${line#\$ }"; echo; printed=yes ;;
+    '? '*) printed= ;;
+    '#'*) [ -n "$printed" ] || echo "$line" ;;
   esac
 done <"$transcript" >now
 

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <ricochet/collision/collision.hpp>
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/collision/peer_damping.hpp>
 
@@ -82,4 +83,17 @@ TEST_CASE("the peers' polynomials have the values of their printed coefficients"
   CHECK(marshall_polynomial(1) == Approx(0.0003).epsilon(1e-9));
   // The exponent's polynomial vanishes at e = 0, where γ diverges like 1/√(e(6.918798 − 2)).
   CHECK(thornton_polynomial(1e-8) * std::sqrt(1e-8 * 4.918798) == Approx(1).epsilon(1e-6));
+}
+
+TEST_CASE("Kuwabara and Kono's restitution by the form of Müller and Pöschel, and what it really is", "[peers]") {
+  // u, exact e, and the form less it, from an independent integration.
+  struct Known {
+    double u, en, off;
+  };
+  for (const Known& k :
+       {Known{0.4, 0.836034492, 1.6e-4}, Known{0.8, 0.525370938, 2.7e-3}, Known{2, 0.092999595, 8.4e-3}}) {
+    CHECK(collide(KuwabaraKono(1, k.u * k.u), {1, 1}).en == Approx(k.en).epsilon(1e-8));
+    CHECK(mueller_poeschel_restitution(k.u) - k.en == Approx(k.off).epsilon(0.04));
+  }
+  CHECK(mueller_poeschel_restitution(0) == 1);
 }

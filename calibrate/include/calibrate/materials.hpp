@@ -57,7 +57,7 @@ struct PairResult {
   Pair asked;
   Calibration found;
   Target target;
-  double radius_eff;  ///< at which it was calibrated [m]
+  double radius_eff = 0;  ///< at which it was calibrated [m]
 };
 
 struct PairMissed {

@@ -77,8 +77,9 @@ enum class Unknown {
 /// What a file may look like is decided here alone. Fields stand between commas, or between semicolons or tabs where
 /// the head does; there a number may have a decimal comma. Blanks around a field and a pair of double quotes are taken
 /// off; a quoted field may hold separators, but neither quotes nor line ends. A heading is a name as `CsvColumn` has
-/// it, in letters of any case and with blanks or dashes for its underscores, with a unit after it in brackets or parentheses ("v [mm/s]", "Velocity (m/s)"): another
-/// decimal multiple of the column's own is converted exactly, without one the numbers are in the column's own.
+/// it, in letters of any case and with blanks or dashes for its underscores, with a unit after it in brackets or
+/// parentheses ("v [mm/s]", "Velocity (m/s)"): another decimal multiple of the column's own is converted exactly,
+/// without one the numbers are in the column's own.
 class CsvColumns {
  public:
   static constexpr std::size_t most = 64;  ///< columns of a file

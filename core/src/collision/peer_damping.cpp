@@ -82,6 +82,11 @@ double marshall_polynomial(double en) {
   return horner<7>({1.2728, -4.2783, 11.087, -22.348, 27.467, -18.022, 4.8218}, en);
 }
 
+double mueller_poeschel_restitution(double u) {
+  const double numerator = 1 + 0.501086 * u;
+  return numerator / (numerator + u * u * (1.15345 + u * (0.577977 + u * 0.532178)));
+}
+
 double thornton_polynomial(double en) {
   const double exponent = en * horner<10>({-6.918798, -16.41105, 146.8049, -796.4559, 2928.711, -7206.864, 11494.29,
                                            -11342.18, 6276.757, -1489.915},

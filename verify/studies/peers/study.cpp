@@ -1,4 +1,5 @@
 #include "curves.hpp"
+#include "pade.hpp"
 
 #include <verify/registry.hpp>
 
@@ -133,8 +134,10 @@ StudyResult Peers::run(const RunOptions&) {
   const std::size_t half = std::size_t(std::find(asked.begin(), asked.end(), 0.5) - asked.begin());
   StudyResult result;
   result.gates = gates(curves, asked);
-  result.tables = {overview(curves, asked), collision_times(), sources(curves)};
+  result.tables = {overview(curves, asked), collision_times(), pade_table(), sources(curves)};
   result.rows = rows(curves, asked);
+  for (const Gate& gate : pade_gates()) result.gates.push_back(gate);
+  for (const Json& row : pade_rows()) result.rows.push_back(row);
   result.figures = {error_figure(curves, asked)};
   result.figures[0].finding = fmt::format(
       "Only the logarithmic form with the contact ended by overlap gives what was asked; with a clipped force it gives "

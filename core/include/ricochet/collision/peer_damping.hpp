@@ -30,6 +30,11 @@ std::span<const PeerDamping> peer_dampings();
 /// 0.0003 at e = 1.
 double marshall_polynomial(double en);
 
+/// e(u) of P. Müller and T. Pöschel, Phys. Rev. E 84, 021302 (2011): the Padé form [1/4] of Kuwabara and Kono's
+/// restitution, u² = c k^{−3/5} m^{−2/5} v^{1/5}, u ≥ 0, which molecular dynamics and kinetic theory take for e(v):
+/// e = (1 + c₁u)/(1 + c₁u + d₂u² + d₃u³ + d₄u⁴), c₁ = 0.501086, d₂ = 1.15345, d₃ = 0.577977, d₄ = 0.532178.
+double mueller_poeschel_restitution(double u);
+
 /// γ(e) of C. Thornton, S. J. Cummins and P. W. Cleary, Powder Technol. 233, 30 (2013), Eqs. (B6), (B7), Table 2:
 /// c = 2γ√(m K_t) with the tangent stiffness K_t = (3/2)kζ^{1/2}, a fit of degree 10 for Tsuji's law ended by force.
 /// 0 < e < 1.
