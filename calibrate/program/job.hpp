@@ -55,7 +55,7 @@ std::vector<std::string> flags_of(std::initializer_list<Topic> topics, std::vect
 /// A law and end that is asked for.
 struct Wanted {
   LawKind law;
-  ContactEnd end;
+  ContactEnd end = ContactEnd::force;
 };
 
 /// What the options ask for, with the defaults that had to be assumed in words.
