@@ -25,21 +25,27 @@ void confirm(const AnyLaw& law, const Impact& impact, const Collision& known, Co
                                    text(end), support::significant(apart, 2)));
 }
 
-std::string what_happened(CollisionStatus status) {
-  return status == CollisionStatus::no_separation ? "the bodies do not part so: too much damping for this end"
-                                                  : "the collision leaves the range of doubles";
+std::string what_happened(const Collision& out) {
+  if (out.status == CollisionStatus::no_separation) return "the bodies do not part so: too much damping for this end";
+  if (out.status == CollisionStatus::permanent_contact)
+    return fmt::format("the bodies stay together: a permanent contact, at rest to 1 % after {} s",
+                       support::significant(out.tcol, 6));
+  return "the collision leaves the range of doubles";
 }
 
 }  // namespace
 
-Outcome answer(const AnyLaw& law, ContactEnd end, const Impact& impact) {
+Outcome answer(const AnyLaw& law, ContactEnd asked, const Impact& impact) {
   const LawKind kind = LawKind::of(law);
+  // Below α = 0 the force repels until the overlap is gone, whatever is asked for.
+  const auto* const gains = std::get_if<Fractional>(&law);
+  const ContactEnd end = gains && gains->alpha() < 0 ? ContactEnd::overlap : asked;
   require_request({kind, end, {1, 1, impact}});
   const Collision out = collide(law, impact, {end});
   if (out.status == CollisionStatus::budget_spent)
     throw NotConverged(
         fmt::format("{}, ended by {}: the numerical collision does not come to an end", name(law), text(end)));
-  if (!out.separated()) return Infeasible{kind, end, what_happened(out.status), "", 0, 0, 0};
+  if (!out.separated()) return Infeasible{kind, end, what_happened(out), "", 0, 0, 0};
   confirm(law, impact, out, end);
   Calibration answer{.request = {kind, end, {out.tcol, out.en, impact}},
                      .law = law,
@@ -54,6 +60,7 @@ Outcome answer(const AnyLaw& law, ContactEnd end, const Impact& impact) {
                      .cross_method = Method::direct,
                      .cross_difference = 0};
   const auto* fractional = std::get_if<Fractional>(&law);
+  if (out.en > 1) answer.remarks.push_back("it leaves faster than it came: below alpha = 0 the law makes energy");
   if (fractional) answer.request.stiffness = fractional->k();
   if (fractional && end == ContactEnd::force && fractional->alpha() >= 0)
     answer.tcol_estimate = tcol_estimate(fractional->coefficient() / impact.mass_eff, fractional->alpha());

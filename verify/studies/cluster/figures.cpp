@@ -162,23 +162,23 @@ Figure velocities(const Run& strong, const Run& weak) {
   for (Panel& p : panels) p.x = {.range = std::pair(0.0, 1e3 * strong.samples.back().time), .format = ""};
   panels.back().x.format = {};
   panels.back().x.label = "t [ms]";
-  return {
-      .name = "cluster-velocities",
-      .caption =
-          "Fig. 8: velocity and spin of sphere 1, and its spin in the frame of its contact with sphere 5 "
-          "while the two collide; dashed: strong repulsion (α = 0.01), solid: weak (α = 0.97).",
-      .script = console::script_of(
-          {.panels = panels,
-           .layout =
-               console::Layout{
-                   .rows = 4, .left = 0.12, .right = 0.81, .bottom = 0.07, .top = 0.98, .between_rows = 0.03}}),
-      .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), local_spins(strong, weak)},
-      .width = 900,
-      .height = 980,
-      .finding = fmt::format("Sphere 1 leaves at {} after strong and at {} after weak collisions. Rolling on sphere "
-                             "5 it turns at up to {:.1f} 1/s under strong and {:.1f} 1/s under weak repulsion.",
-                             last_speed(strong), last_speed(weak), greatest_tangential(strong, 0, 4),
-                             greatest_tangential(weak, 0, 4))};
+  return {.name = "cluster-velocities",
+          .caption =
+              "Fig. 8: velocity and spin of sphere 1, and its spin in the frame of its contact with sphere 5 "
+              "while the two collide; dashed: strong repulsion (α = 0.01), solid: weak (α = 0.97).",
+          .script = console::script_of(
+              {.panels = panels,
+               .layout =
+                   console::Layout{
+                       .rows = 4, .left = 0.12, .right = 0.81, .bottom = 0.07, .top = 0.98, .between_rows = 0.03}}),
+          .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), local_spins(strong, weak)},
+          .width = 900,
+          .height = 980,
+          .finding =
+              fmt::format("Sphere 1 leaves at {} after strong and at {} after weak collisions. While it touches sphere "
+                          "5 it turns at up to {:.1f} 1/s under strong and {:.1f} 1/s under weak repulsion.",
+                          last_speed(strong), last_speed(weak), greatest_tangential(strong, 0, 4),
+                          greatest_tangential(weak, 0, 4))};
 }
 
 Figure sequence(const Run& strong, const Run& weak, double until) {

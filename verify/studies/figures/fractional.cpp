@@ -129,8 +129,8 @@ console::Figure figure3() {
 
 console::Figure figure4() {
   std::vector<Path> paths = alpha_paths();
-  // As in Fig. 3, and the group by its dashes.
-  constexpr int dashes[] = {2, 1, 3};
+  // As in Fig. 3, and the group by its dashes; the gaps are short, so that the ends show.
+  constexpr const char* dashes[] = {"(6,2)", "1", "3"};
   for (std::size_t group = 0, k = 0; group < groups.size(); ++group)
     for (std::size_t i = 0; i < groups[group].size(); ++i) paths[k++].style = line(i, dashes[group]);
   // What dashpot and spring need; past α = 1 the overlap grows without end, and the force begins infinite.

@@ -83,7 +83,7 @@ console::Panel panel_of(const std::vector<const Path*>& paths, const Path* first
 
 }  // namespace
 
-std::string line(std::size_t i, int dash) {
+std::string line(std::size_t i, const std::string& dash) {
   constexpr const char* colours[] = {console::palette::purple, console::palette::blue, console::palette::green,
                                      console::palette::orange, console::palette::vermilion};
   return fmt::format("lines lw 2 dt {} lc rgb '{}'", dash, colours[i % std::size(colours)]);
@@ -147,8 +147,8 @@ std::vector<Instant> closed_form(const Fractional& law, const Impact& impact, do
   const FractionalTrajectory motion(law.coefficient(), law.alpha(), impact.mass_eff, impact.velocity);
   std::vector<Instant> points;
   constexpr int samples = 600;
-  for (int i = law.alpha() > 1 ? 1 : 0; i <= samples; ++i) {
-    const double t = until * i / samples;
+  for (int i = 0; i <= samples; ++i) {
+    const double t = i == 0 && law.alpha() > 1 ? 1e-9 * until : until * i / samples;  // at 0 its force is infinite
     points.push_back({t, motion.overlap(t), motion.rate(t), motion.force(t)});
   }
   return points;

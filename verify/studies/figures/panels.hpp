@@ -50,7 +50,7 @@ struct Column {
 };
 
 /// Style of the i-th path of a group, in colours that differ; `dash` as gnuplot counts them.
-std::string line(std::size_t i, int dash = 1);
+std::string line(std::size_t i, const std::string& dash = "1");
 
 /// Rows of panels over columns of groups.
 console::Figure panels(const std::string& name, const std::string& caption, const std::vector<Path>& paths,

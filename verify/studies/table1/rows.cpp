@@ -92,7 +92,7 @@ Table table_of(const std::vector<Row>& rows) {
     const auto add = [&](const char* source, const Instant& s) {
       table.row({row.density, row.time * 1e6, steps, source, s.overlap * 1e6, s.rate, s.force});
     };
-    if (!row.rounded_end) add("paper", row.line.printed);
+    if (!row.rounded_end && row.density == steel.density) add("paper", row.line.printed);
     if (limit) {
       add("exact", row.exact);
     } else {
