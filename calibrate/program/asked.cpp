@@ -199,7 +199,12 @@ Reader::ScaleGiven Reader::scale_given() const {
   };
   const Number own = a.tcol ? Number() : a.stiffness;  // beside tcol it is the k to hold
   const std::array scales{Given{"tcol", a.tcol}, Given{"stiffness", own},
-                          Given{"young", first_of({a.young, a.poisson, a.young2, a.poisson2, a.soften})},
+                          Given{a.young      ? "young"
+                                : a.poisson  ? "poisson"
+                                : a.young2   ? "young2"
+                                : a.poisson2 ? "poisson2"
+                                             : "soften",
+                                first_of({a.young, a.poisson, a.young2, a.poisson2, a.soften})},
                           Given{"max_overlap", first_of({a.max_overlap, a.overlap_share})},
                           Given{a.timestep ? "timestep" : "steps", first_of({a.timestep, a.steps})}};
   const auto one = the_one(scales, "scale");

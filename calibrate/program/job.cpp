@@ -198,8 +198,7 @@ TargetDefaults target_defaults(const Options& o) {
   defaults.asked = o.asked;
   std::vector<std::string> assumptions;
   defaults.asked.velocity = velocity_of(o.asked, Spelling::flags, assumptions);
-  bodies_of(o.asked, Spelling::flags, assumptions);
-  return defaults;
+  return defaults;  // the bodies may be made up of flags and columns: each row tells
 }
 
 Job job_of(const Options& o) {

@@ -134,6 +134,21 @@ void read_law(const Node& node, Materials& materials) {
     node.at("end").reject(fmt::format("force with the law {}", materials.law.name()));
 }
 
+/// Engines' names for a pair are its materials' joined by "_": "a_b" for a and b, beside a material a_b.
+void require_distinct_words(const Node& node, const Materials& materials) {
+  std::map<std::string, std::string> makers;
+  const auto add = [&](const std::string& word, const std::string& maker) {
+    const auto [known, fresh] = makers.emplace(word, maker);
+    if (!fresh)
+      node.complain(fmt::format("the word {} of an export would stand for {} and for {}; rename one", word,
+                                known->second, maker));
+  };
+  for (const Material& a : materials.all) add(a.name, a.name);
+  for (const Material& a : materials.all)
+    for (const Material& b : materials.all)
+      if (&a != &b) add(fmt::format("{}_{}", a.name, b.name), fmt::format("{} with {}", a.name, b.name));
+}
+
 }  // namespace
 
 Materials read_materials(const std::string& file, const std::string& text) {
@@ -149,6 +164,7 @@ Materials read_materials(const std::string& file, const std::string& text) {
   if (root.has("match") && root.at("match").one_of({"time", "overlap"}) == "overlap")
     materials.match = LinearMatch::overlap;
   read_all(root.at("materials"), materials);
+  require_distinct_words(root.at("materials"), materials);
   read_pairs(root, materials);
   return materials;
 }

@@ -37,6 +37,10 @@ Report run(const Job& job, const Settings& settings) {
 std::optional<double> rayleigh_of(const Job& job) {
   const auto* moduli = std::get_if<scale::Moduli>(&job.known.scale);
   if (job.given || !moduli || !job.density || !job.radius) return std::nullopt;
+  // Of two spheres of two materials nobody knows here which is the smaller one's.
+  const bool one_material =
+      moduli->first.young == moduli->second.young && moduli->first.poisson == moduli->second.poisson;
+  if (!job.wall && !one_material) return std::nullopt;
   return rayleigh_time(*job.radius, *job.density, moduli->first.young / moduli->soften, moduli->first.poisson);
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <tuple>
 
 namespace ricochet::calibration {
@@ -31,14 +32,24 @@ void append_text(std::string& out, std::string_view text) {
   out += '"';
 }
 
+/// The defaults that go with a row's own scale: what else makes up the same one, and beside a collision time the k to
+/// hold.
+Asked scale_defaults(const Asked& own, const Asked& defaults) {
+  Asked kept = without(defaults, Topic::scale);
+  const auto keep = [&](std::initializer_list<std::optional<double> Asked::*> members) {
+    for (const auto member : members) kept.*member = defaults.*member;
+  };
+  if (own.young || own.poisson || own.young2 || own.poisson2 || own.soften)
+    keep({&Asked::young, &Asked::poisson, &Asked::young2, &Asked::poisson2, &Asked::soften});
+  if (own.timestep || own.steps) keep({&Asked::timestep, &Asked::steps});
+  if (own.tcol) keep({&Asked::stiffness});
+  return kept;
+}
+
 /// What a row says itself goes before the defaults: its own scale and its own loss put theirs away, and its mass their
-/// radii or the other way round. A k beside a collision time is no scale of its own.
+/// radii or the other way round.
 Asked with_defaults(const Asked& own, Asked defaults) {
-  if (speaks_of(own, Topic::scale)) {
-    const auto held = own.tcol ? defaults.stiffness : std::nullopt;
-    defaults = without(defaults, Topic::scale);
-    defaults.stiffness = held;
-  }
+  if (speaks_of(own, Topic::scale)) defaults = scale_defaults(own, defaults);
   if (speaks_of(own, Topic::loss)) defaults = without(defaults, Topic::loss);
   if (own.mass_eff) {
     defaults.radius = defaults.diameter = defaults.density = defaults.radius2 = defaults.diameter2 = defaults.density2 =

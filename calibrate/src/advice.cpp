@@ -70,14 +70,19 @@ double located_restitution(const liggghts::HalfStepContact& contact, double coef
   return std::nan("");
 }
 
-/// Over places of the touch: restitution(lead) against the target's.
+/// Over places of the touch, in steps before the first that feels it: restitution(lead) against the target's. The
+/// worst place is often the first or the last.
 template <class F>
 double worst_error(const Target& target, const F& restitution) {
   constexpr int places = 16;
+  constexpr double edge = 1e-6;
   double worst = 0;
-  for (int place = 0; place < places; ++place)
-    if (const double error = std::abs(restitution((place + 0.5) / places) / target.en - 1); !(error <= worst))
-      worst = error;
+  const auto look = [&](double lead) {
+    if (const double error = std::abs(restitution(lead) / target.en - 1); !(error <= worst)) worst = error;
+  };
+  look(edge);
+  for (int place = 0; place < places; ++place) look((place + 0.5) / places);
+  look(1 - edge);
   return worst;
 }
 

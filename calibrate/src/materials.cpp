@@ -157,13 +157,13 @@ std::vector<SizeChoice> size_choices(LawKind law) {
         {"liggghts", "model hooke with coefficientRestitution; its k follows from moduli and a velocity",
          Kept::restitution, false},
         {"yade", "tc and en of Ip2_ViscElMat_ViscElMat_ViscElPhys, which keep tcol as well", Kept::target, true},
-        {"mfix", "LSD, which takes a restitution", Kept::restitution, true}};
+        {"mfix", "LSD, which takes a restitution; one grain and its wall", Kept::restitution, true}};
   if (law == kind_of<Tsuji>)
     return {{"liggghts", "model hertz with coefficientRestitution", Kept::numbers, true},
             {"lammps", "damping coeff_restitution, before June 2024 damping tsuji", Kept::numbers, true},
             {"yade", "betan of Ip2_FrictMat_FrictMat_MindlinPhys", Kept::numbers, true},
             {"mercurydpm", "setDissipation of HertzianViscoelasticSpecies", Kept::numbers, true},
-            {"mfix", "HERTZIAN, which takes a restitution", Kept::numbers, true}};
+            {"mfix", "HERTZIAN, which takes a restitution; one grain and its wall", Kept::numbers, true}};
   if (law == kind_of<Hysteretic>)
     return {{"mercurydpm", "k1 and k2: en = sqrt(k1/k2) at every size", Kept::numbers, true}};
   if (law == kind_of<Fractional>)

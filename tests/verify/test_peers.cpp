@@ -53,10 +53,23 @@ TEST_CASE("verify peers: figures worked out by hand from the engines' formulas")
 TEST_CASE("verify peers covers 0.05 to 0.99 for every peer, and names where it read") {
   const StudyResult result = peers();
   std::set<std::string> ids;
-  for (const auto& row : result.rows) ids.insert(row["peer"].get<std::string>());
-  CHECK(result.rows.size() == ids.size() * 95);
+  // The Padé form has rows at a few groups of its own.
+  const std::string form = "mueller-poeschel 2011";
+  std::size_t asked = 0, of_form = 0;
+  double greatest = 0;
+  for (const auto& row : result.rows) {
+    if (row["peer"] == form) {
+      ++of_form;
+      continue;
+    }
+    ++asked;
+    ids.insert(row["peer"].get<std::string>());
+    greatest = std::max(greatest, row["en_asked"].get<double>());
+  }
+  CHECK(of_form >= 3);
+  CHECK(asked == ids.size() * 95);
   CHECK(ids.size() >= 15);
   CHECK(result.rows.front()["en_asked"] == 0.05);
-  CHECK(result.rows.back()["en_asked"] == 0.99);
+  CHECK(greatest == 0.99);
   CHECK(result.tables.back().rows().size() == ids.size());
 }
