@@ -96,8 +96,9 @@ void require_parameters(const ParameterValues<Law>& values) {
 /// neither normal nor a 0 that its domain admits.
 template <DescribedLaw Law>
 std::optional<Law> representable(const ParameterValues<Law>& values) {
-  const bool all = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return ((std::isnormal(values[I]) || (values[I] == 0 && Law::parameters[I].domain.contains(0))) && ...);
+  bool all = true;
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    ((all = all && (std::isnormal(values[I]) || (values[I] == 0 && Law::parameters[I].domain.contains(0)))), ...);
   }
   (std::make_index_sequence<Law::parameters.size()>{});
   return all ? std::optional<Law>(Law::from(values)) : std::nullopt;
