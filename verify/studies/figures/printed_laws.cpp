@@ -37,6 +37,7 @@ std::vector<PrintedLaw> table2_laws() {
 
 std::vector<const PrintedLaw*> by_end_overlap(const std::vector<PrintedLaw>& laws) {
   std::vector<const PrintedLaw*> sorted;
+  sorted.reserve(laws.size());
   for (const PrintedLaw& law : laws) sorted.push_back(&law);
   std::stable_sort(sorted.begin(), sorted.end(), [](const PrintedLaw* a, const PrintedLaw* b) {
     return a->collision.overlap_end > b->collision.overlap_end;
