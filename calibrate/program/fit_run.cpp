@@ -18,6 +18,7 @@ using console::shortest;
 /// The middle one of the measured speeds.
 double usual_velocity(const std::vector<Measurement>& data) {
   std::vector<double> all;
+  all.reserve(data.size());
   for (const Measurement& m : data) all.push_back(m.velocity);
   std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
   return all[all.size() / 2];

@@ -19,7 +19,7 @@ struct Box {
 
 /// One impact in the eyes of a model: how its bodies differ from those whose parameters are told.
 struct Shot {
-  double velocity;
+  double velocity = 0;
   double mass_ratio = 1;    ///< effective mass over the request's
   double radius_ratio = 1;  ///< effective radius over the request's
 };

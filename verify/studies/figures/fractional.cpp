@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ricochet::verify::figures {
@@ -130,9 +131,9 @@ console::Figure figure3() {
 console::Figure figure4() {
   std::vector<Path> paths = alpha_paths();
   // As in Fig. 3, and the group by its dashes; the gaps are short, so that the ends show.
-  constexpr const char* dashes[] = {"(6,2)", "1", "3"};
+  constexpr std::array dashes{"(6,2)", "1", "3"};
   for (std::size_t group = 0, k = 0; group < groups.size(); ++group)
-    for (std::size_t i = 0; i < groups[group].size(); ++i) paths[k++].style = line(i, dashes[group]);
+    for (std::size_t i = 0; i < groups[group].size(); ++i) paths[k++].style = line(i, dashes.at(group));
   // What dashpot and spring need; past α = 1 the overlap grows without end, and the force begins infinite.
   const double dashpot = pair.impact.velocity * pair.impact.mass_eff / paper::alpha_study_c;
   const double strongest = alpha_collision(groups[0].front()).max_force;
