@@ -27,8 +27,8 @@ struct Material {
 
 /// What two materials shall do to each other.
 struct Pair {
-  std::size_t a, b;  ///< places in Materials::all; a wall is never a
-  double en;
+  std::size_t a = 0, b = 0;  ///< places in Materials::all; a wall is never a
+  double en = 0;
   std::optional<double> tcol = {}, stiffness = {};  ///< instead of what the materials make [s], [the law's k]
 };
 
