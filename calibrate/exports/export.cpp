@@ -127,7 +127,7 @@ void tell_other_end(const Language& in, const ContactSet& set, Body& body, Snipp
 
 /// Steps of one pair: the time that they divide, and the error of e_n that each number of them leaves.
 struct PairSteps {
-  double tcol;
+  double tcol = 0;
   std::vector<StepError> errors;
 };
 
@@ -338,6 +338,7 @@ double effective_modulus(double hertz_stiffness, double radius_eff) {
 std::vector<double> members(const std::vector<double>& parts) {
   constexpr double rigid = 1e12;
   std::vector<double> all;
+  all.reserve(parts.size());
   for (const double part : parts) all.push_back(part > 0 ? 1 / part : rigid / parts.front());
   return all;
 }

@@ -29,7 +29,7 @@ struct Field {
   std::string_view name, unit;
   std::optional<double> Asked::*member;
   Topic topic;
-  bool curve;
+  bool curve = false;
   std::string_view meaning;
   std::string_view aliases = {};
 };
@@ -73,7 +73,7 @@ std::string spelled(Spelling spelling, std::string_view name);
 
 /// The bodies of one contact.
 struct Bodies {
-  double mass_eff;                                   ///< [kg]
+  double mass_eff = 0;                               ///< [kg]
   std::optional<double> radius_eff, smaller_radius;  ///< where they are known [m]
   std::optional<double> density;                     ///< of both [kg/m³], where it is the same and known
   bool from_radii = false;                           ///< radii were given, not assumed

@@ -13,7 +13,7 @@ namespace {
 
 /// Two bodies of given sizes; the second radius of a wall is 0.
 struct Bodies {
-  double radius_a, radius_b, radius_eff, mass_eff;
+  double radius_a = 0, radius_b = 0, radius_eff = 0, mass_eff = 0;
 };
 
 Bodies bodies_of(const Materials& m, const Pair& pair, double radius_a, double radius_b) {

@@ -44,8 +44,8 @@ bool needs_velocity(LawKind kind, const Scale& scale) {
 
 /// Bodies whose contacts have the same law.
 struct Sort {
-  std::size_t material;
-  double radius, density;  ///< of a wall 0
+  std::size_t material = 0;
+  double radius = 0, density = 0;  ///< of a wall 0
   auto operator<=>(const Sort&) const = default;
   double mass() const { return Sphere{.radius = radius, .density = density}.mass(); }
   bool wall() const { return radius == 0; }

@@ -13,9 +13,9 @@ namespace ricochet::simulate {
 /// mass and radius: e_n, and t_col or the moduli of both.
 struct LawByTarget {
   LawKind kind;
-  double en;
-  Scale scale;      ///< of moduli without the radius, which is each pair's own
-  double velocity;  ///< of the impact [m/s], where it matters
+  double en = 0;
+  Scale scale;          ///< of moduli without the radius, which is each pair's own
+  double velocity = 0;  ///< of the impact [m/s], where it matters
   console::Node place;
 };
 

@@ -30,8 +30,8 @@ enum class Stepping {
 
 /// How far e_n is off when an engine takes that many steps a collision time.
 struct StepError {
-  int steps;     ///< t_col/Δt
-  double error;  ///< greatest |e_n/target − 1| over sixteen places of the first touch within a step
+  int steps = 0;     ///< t_col/Δt
+  double error = 0;  ///< greatest |e_n/target − 1| over eighteen places of the first touch within a step
 };
 
 /// The errors of e_n that a step is advised for.
@@ -49,7 +49,7 @@ std::optional<int> steps_for(const std::vector<StepError>& errors, double bound)
 /// The time step that keeps e_n to error_en in an engine; nothing where 20000 steps a collision do not.
 struct EngineStep {
   std::string engine;
-  double error_en;             ///< one of step_bounds
+  double error_en = 0;         ///< one of step_bounds
   std::optional<double> step;  ///< [s]
 };
 

@@ -26,7 +26,7 @@ std::string_view version(Engine engine) noexcept;
 struct ExportCase {
   AnyLaw law;
   ContactEnd end;
-  double tcol, en;                        ///< the target [s], [–]
+  double tcol = 0, en = 0;                ///< the target [s], [–]
   Impact impact;                          ///< at which it was calibrated
   std::optional<double> radius_eff = {};  ///< r₁r₂/(r₁+r₂) [m], wall: r₁; the Hertzian laws of most engines need it
   std::optional<double> density = {};  ///< of the grains [kg/m³], where the engine's material carries it
@@ -42,9 +42,9 @@ struct BodyKind {
 
 /// A contact between bodies of two kinds (or of the same) as it was calibrated.
 struct PairCase {
-  std::size_t a, b;  ///< places in ContactSet::kinds; a wall is never a
+  std::size_t a = 0, b = 0;  ///< places in ContactSet::kinds; a wall is never a
   AnyLaw law;
-  double tcol, en;                        ///< the target [s], [–]
+  double tcol = 0, en = 0;                ///< the target [s], [–]
   Impact impact;                          ///< at which it was calibrated; against a wall of the grain's mass
   std::optional<double> radius_eff = {};  ///< r₁r₂/(r₁+r₂) [m], wall: r₁
 };

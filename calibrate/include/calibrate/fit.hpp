@@ -26,7 +26,7 @@ struct Measurement {
 struct FitRequest {
   LawKind law;
   ContactEnd end = ContactEnd::force;
-  double mass_eff;  ///< [kg], > 0: that of the bodies whose parameters are told
+  double mass_eff = 0;  ///< [kg], > 0: that of the bodies whose parameters are told
   /// Fractional only: the paper's idea of an α that follows the impact, as ln(α/(α_max−α)) = a + b ln(v/(1 m/s)), where
   /// α_max is 1 by force and overlap_limit by overlap. Monotone in v, in (0, α_max) for every v, and constant for
   /// b = 0; with b > 0 a slow impact is elastic and a fast one loses all, with b < 0 the other way round.
@@ -37,14 +37,14 @@ struct FitRequest {
 /// A fitted parameter with its standard error.
 struct Estimate {
   std::string name;
-  double value;
-  double error;
+  double value = 0;
+  double error = 0;
   std::string unit;
 };
 
 struct Prediction {
-  double en;
-  double tcol;  ///< [s]; 0 where the data have no times
+  double en = 0;
+  double tcol = 0;  ///< [s]; 0 where the data have no times
 };
 
 /// A weighted least-squares fit: minimises χ² = Σ ((en − e(v))/σ)² + Σ ((tcol − t(v))/σ_t)².
@@ -53,13 +53,13 @@ struct Fit {
   std::vector<Estimate> parameters;               ///< what these data can tell
   std::vector<std::vector<double>> correlations;  ///< of the parameters
   std::vector<Prediction> predictions;            ///< at the measurements
-  double chi2;               ///< Σ of squared residuals over σ²; plain Σ of squares where no σ is known
-  std::size_t observations;  ///< restitutions and times
-  std::size_t freedom;       ///< observations − parameters
-  bool errors_known;         ///< false: σ was taken from the scatter about the fit
+  double chi2 = 0;               ///< Σ of squared residuals over σ²; plain Σ of squares where no σ is known
+  std::size_t observations = 0;  ///< restitutions and times
+  std::size_t freedom = 0;       ///< observations − parameters
+  bool errors_known = false;     ///< false: σ was taken from the scatter about the fit
   /// χ² + 2p where σ is known; n ln(χ²/n) + 2(p + 1) where it is not (constants left out). Less is better.
-  double aic;
-  double probability;                      ///< of a χ² as large by chance, where σ is known; else 1
+  double aic = 0;
+  double probability = 0;                  ///< of a χ² as large by chance, where σ is known; else 1
   std::vector<double> solution = {};       ///< in the fit's own variables, for `predict`
   std::vector<std::string> findings = {};  ///< what the data do not tell, and what does not fit, in words
 

@@ -45,8 +45,8 @@ struct Materials {
 
 /// One contact of two bodies of given sizes, and what their law makes of it.
 struct SizedContact {
-  double radius_a, radius_b;  ///< [m]; of a wall 0
-  double radius_eff;          ///< [m]
+  double radius_a = 0, radius_b = 0;  ///< [m]; of a wall 0
+  double radius_eff = 0;              ///< [m]
   Impact impact;
   AnyLaw law;
   Collision collision;
@@ -90,7 +90,7 @@ ContactSet contact_set(const Materials& materials, const std::vector<PairResult>
 struct SizeChoice {
   std::string engine, how;
   Kept kept;
-  bool written;  ///< by `export_contacts` for a set with ranges of radii
+  bool written = false;  ///< by `export_contacts` for a set with ranges of radii
 };
 std::vector<SizeChoice> size_choices(LawKind law);
 /// What the engine's file keeps.

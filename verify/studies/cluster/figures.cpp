@@ -92,7 +92,7 @@ DataFile local_spins(const Run& strong, const Run& weak) {
 /// One component: where it is drawn from, its colour and name.
 struct Component {
   const char* name;
-  int column, colour;
+  int column = 0, colour = 0;
 };
 
 /// Dashed in the strong state, solid in the weak one; the states are two files, or two blocks of `file`.

@@ -26,7 +26,7 @@ struct Sample {
 /// One run and what it is judged by.
 struct Run {
   Choice law;
-  double step;
+  double step = 0;
   std::vector<Sample> samples;
   std::vector<Encounter> collisions;  ///< ordered by t_b
   double momentum_drift = 0;          ///< greatest |p − p₀|/Σ m|v|

@@ -36,9 +36,9 @@ DiscFriction summed(double lambda) {
 }
 
 struct Point {
-  double lambda;
+  double lambda = 0;
   DiscFriction closed;
-  bool has_sum;
+  bool has_sum = false;
   DiscFriction sum;
 };
 

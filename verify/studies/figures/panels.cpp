@@ -124,6 +124,7 @@ console::Figure overlaid(const std::string& name, const std::string& caption, co
                          std::span<const Axes, 3> axes, const Ranges& ranges) {
   const std::string file = name + ".csv";
   std::vector<const Path*> all;
+  all.reserve(paths.size());
   for (const Path& path : paths) all.push_back(&path);
   console::Plot plot{.layout = console::Layout{.rows = 2,
                                                .columns = 2,

@@ -61,7 +61,7 @@ Table degrees() {
 
 /// (30) has no force at overlap 0, and (24) ends the contact there: numbers as computed from the series of Eq. (51).
 struct GainingEnd {
-  double alpha, tcol, en;
+  double alpha = 0, tcol = 0, en = 0;
 };
 constexpr GainingEnd gaining_ends[] = {{-0.1, 111.55e-6, 1.186}, {-0.25, 104.63e-6, 1.450}, {-0.5, 97.68e-6, 1.858}};
 

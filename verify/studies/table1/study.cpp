@@ -48,12 +48,12 @@ bool prints_times(double density) {
 
 /// What is measured besides the rows.
 struct Findings {
-  double left_order, means_order, arms_order;  ///< of the last velocity at many steps
-  double printed_order, left_order_at_few;     ///< of the velocity from 5 to 20 steps
-  double left_distance;  ///< least, of left values from a printed velocity, in units of what rounding can do
-  double tcol_of_overlap, rounded_end_force;
-  double left_miss, means_miss;  ///< |velocity error| / (e_n v₀) at the paper's number of steps
-  std::size_t trials, agreeing;  ///< variants, and those that give every printed velocity
+  double left_order = 0, means_order = 0, arms_order = 0;  ///< of the last velocity at many steps
+  double printed_order = 0, left_order_at_few = 0;         ///< of the velocity from 5 to 20 steps
+  double left_distance = 0;  ///< least, of left values from a printed velocity, in units of what rounding can do
+  double tcol_of_overlap = 0, rounded_end_force = 0;
+  double left_miss = 0, means_miss = 0;  ///< |velocity error| / (e_n v₀) at the paper's number of steps
+  std::size_t trials = 0, agreeing = 0;  ///< variants, and those that give every printed velocity
 };
 
 double order_at_few(const Instant& at_5, const Instant& at_20) {

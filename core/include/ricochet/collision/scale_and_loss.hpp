@@ -15,8 +15,8 @@ namespace ricochet {
 
 /// An isotropic elastic solid.
 struct ElasticSolid {
-  double young;    ///< E [Pa], > 0
-  double poisson;  ///< ν, in (−1, 0.5]
+  double young = 0;    ///< E [Pa], > 0
+  double poisson = 0;  ///< ν, in (−1, 0.5]
 };
 
 /// 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂ [Pa] (Johnson, Contact Mechanics, 1985, Eq. (4.22)).
@@ -49,23 +49,23 @@ double linear_stiffness(double hertz_stiffness, const Impact& impact, LinearMatc
 namespace scale {
 
 struct CollisionTime {
-  double tcol;  ///< [s], > 0
+  double tcol = 0;  ///< [s], > 0
 };
 /// The law's own first parameter, in its unit; of the fractional law the k that is held, which is then also the k of
 /// the linear law that ends by force with the same t_col and e_n: the paper's relation between the two.
 struct Stiffness {
-  double k;  ///< > 0
+  double k = 0;  ///< > 0
 };
 /// What the bodies are made of: Hertz's k for the laws in ζ^{3/2}, `linear_stiffness` of it for those in ζ.
 struct Moduli {
   ElasticSolid first, second;
-  double radius_eff;  ///< r₁r₂/(r₁+r₂) [m], r₁ against a wall; > 0
-  double soften = 1;  ///< E* is divided by it; ≥ 1
+  double radius_eff = 0;  ///< r₁r₂/(r₁+r₂) [m], r₁ against a wall; > 0
+  double soften = 1;      ///< E* is divided by it; ≥ 1
   LinearMatch linear = LinearMatch::time;
 };
 /// The greatest overlap of the (damped) collision.
 struct MaxOverlap {
-  double length;  ///< [m], > 0
+  double length = 0;  ///< [m], > 0
 };
 
 }  // namespace scale
@@ -75,18 +75,18 @@ using Scale = std::variant<scale::CollisionTime, scale::Stiffness, scale::Moduli
 namespace loss {
 
 struct Restitution {
-  double en;  ///< in (0, 1]
+  double en = 0;  ///< in (0, 1]
 };
 /// tan δ of the material. A springpot has the same phase πα/2 at every frequency, so α = (2/π) atan(tan δ).
 struct LossFactor {
-  double tan_delta;  ///< ≥ 0
+  double tan_delta = 0;  ///< ≥ 0
 };
 /// See damping_ratio.hpp.
 struct DampingRatio {
-  double ratio;  ///< ≥ 0
+  double ratio = 0;  ///< ≥ 0
 };
 struct ConversionDegree {
-  double alpha;  ///< in [0, 1)
+  double alpha = 0;  ///< in [0, 1)
 };
 
 }  // namespace loss
