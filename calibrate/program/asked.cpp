@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 namespace ricochet::calibration {
@@ -90,10 +89,6 @@ class Reader {
   Spelling spelling_;
   std::vector<std::string>& assumptions_;
 };
-
-double sphere_mass(double radius, double density) {
-  return 4 * std::numbers::pi / 3 * radius * radius * radius * density;
-}
 
 Bodies Reader::assumed_bodies() const {
   assume("effective mass 7.06858e-06 kg, two spheres of radius 1.5 mm and 1000 kg/m^3", "--mass-eff");

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace ricochet::calibration {
 namespace {
@@ -35,7 +34,7 @@ void take_bodies(Asked& asked, const Measurement& first) {
   }
   const double share = asked.wall ? 1 : 0.5, radius = first.radius_eff / share;
   asked.radius = radius;
-  asked.density = first.mass_eff / share / (4 * std::numbers::pi / 3 * radius * radius * radius);
+  asked.density = first.mass_eff / share / sphere_mass(radius, 1);
 }
 
 Infeasible not_to_be_run(const Fit& fit, double velocity, double en) {

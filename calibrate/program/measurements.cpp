@@ -1,5 +1,6 @@
 #include "measurements.hpp"
 
+#include <calibrate/known.hpp>
 #include <console/csv.hpp>
 #include <console/number.hpp>
 
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace ricochet::calibration {
 namespace {
@@ -119,10 +119,7 @@ class Reader {
     if (file_.has(radius)) m.radius_eff = share * number(radius);
     if (file_.has(diameter)) m.radius_eff = share * number(diameter) / 2;
     if (file_.has(mass)) m.mass_eff = share * number(mass);
-    if (!file_.has(mass) && m.radius_eff > 0) {
-      const double r = m.radius_eff / share;
-      m.mass_eff = share * 4 * std::numbers::pi / 3 * r * r * r * *shots_.density;
-    }
+    if (!file_.has(mass) && m.radius_eff > 0) m.mass_eff = share * sphere_mass(m.radius_eff / share, *shots_.density);
   }
 
   Measurement row() const {

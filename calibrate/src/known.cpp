@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace ricochet::calibration {
 namespace {
@@ -67,6 +68,10 @@ std::variant<Request, Infeasible> request_with(LawKind law, ContactEnd end, cons
 }
 
 }  // namespace
+
+double sphere_mass(double radius, double density) noexcept {
+  return 4 * std::numbers::pi / 3 * radius * radius * radius * density;
+}
 
 std::string_view name(const Scale& scale) noexcept {
   constexpr std::array<std::string_view, std::variant_size_v<Scale>> names{"tcol", "stiffness", "young", "max_overlap"};

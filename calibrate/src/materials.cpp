@@ -1,10 +1,10 @@
+#include <calibrate/known.hpp>
 #include <calibrate/materials.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -98,7 +98,7 @@ std::vector<EngineStep> steps_in(const std::string& engine, const Materials& mat
 
 }  // namespace
 
-double Material::mass(double radius) const { return 4 * std::numbers::pi / 3 * radius * radius * radius * density; }
+double Material::mass(double radius) const { return sphere_mass(radius, density); }
 
 std::vector<PairOutcome> calibrate_pairs(const Materials& materials) {
   std::vector<PairOutcome> all;

@@ -66,7 +66,7 @@ std::string scratch_name(std::string_view prefix) { return fmt::format("{}{}-XXX
 
 void hold(int descriptor) noexcept { ::flock(descriptor, LOCK_EX | LOCK_NB); }
 
-void remove_leftovers(const std::string& folder, std::string_view scratch_prefix) noexcept {
+void remove_leftovers(const std::string& folder, std::string_view scratch_prefix) {
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const std::string name = at->path().filename().string(), path = at->path().string();

@@ -23,6 +23,6 @@ void hold(int descriptor) noexcept;
 
 /// Removes temporary files and the scratch folders of that prefix in `folder` whose process is gone. Says nothing:
 /// what cannot be removed is no fault of this run.
-void remove_leftovers(const std::string& folder, std::string_view scratch_prefix) noexcept;
+void remove_leftovers(const std::string& folder, std::string_view scratch_prefix);
 
 }  // namespace ricochet::console

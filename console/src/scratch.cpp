@@ -36,7 +36,7 @@ ScratchFolder::ScratchFolder(const std::string& inside) {
 }
 
 /// Returns the system's error, 0 for none.
-int ScratchFolder::make(const std::string& inside, std::string_view prefix) noexcept {
+int ScratchFolder::make(const std::string& inside, std::string_view prefix) {
   remove_leftovers(inside, prefix);
   path_ = inside + "/" + scratch_name(prefix);
   const SignalsHeld held;

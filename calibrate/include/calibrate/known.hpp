@@ -17,6 +17,9 @@ struct Known {
   Impact impact;
 };
 
+/// 4π/3 r³ρ of a sphere [kg].
+double sphere_mass(double radius, double density) noexcept;
+
 /// "tcol", "stiffness", "young", "max_overlap".
 std::string_view name(const Scale& scale) noexcept;
 /// "en", "loss_factor", "damping_ratio", "alpha".

@@ -28,7 +28,7 @@ class ScratchFolder {
   std::string read(const std::string& name) const;
 
  private:
-  int make(const std::string& inside, std::string_view prefix) noexcept;
+  int make(const std::string& inside, std::string_view prefix);
 
   std::string path_;
   int held_ = -1;  // open, and locked, as long as the folder is ours
