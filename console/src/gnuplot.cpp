@@ -106,6 +106,11 @@ Rows SeriesFile::rows(std::size_t series) const {
   return {first, end - 1};
 }
 
+Plot with_key_below(Panel panel, int rows, double below) {
+  panel.key = fmt::format("at screen 0.5,0.01 center bottom maxrows {}", rows);
+  return {.panels = {std::move(panel)}, .layout = Layout{.left = 0.1, .right = 0.97, .bottom = below, .top = 0.96}};
+}
+
 std::string script_of(const Plot& plot) {
   std::string script = plot.layout ? words_of(*plot.layout) : "";
   for (const Panel& panel : plot.panels) script += words_of(panel);

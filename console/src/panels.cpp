@@ -38,8 +38,8 @@ SeriesFile file_of(const std::string& name, const std::vector<Motion>& motions) 
 std::string style_of(std::size_t i) { return fmt::format("lines lt {} lw 2.2 dt {}", i % 7 + 1, i < 7 ? 1 : 2); }
 
 /// One quantity over time under every law.
-Panel panel_of(const std::vector<Motion>& motions, const SeriesFile& file, const Prefix& time,
-               const std::string& label, int column, const std::string& factor) {
+Panel panel_of(const std::vector<Motion>& motions, const SeriesFile& file, const Prefix& time, const std::string& label,
+               int column, const std::string& factor) {
   Panel panel{.x = {.label = fmt::format("time since the first touch [{}s]", time.letter), .label_offset = "0,0.3"},
               .y = {.label = label, .label_offset = "1,0"},
               .room = "graph 0,0.02,0.03,0",
@@ -79,12 +79,8 @@ Figure collision_panels(const std::string& name, const std::string& caption, con
                        .between_columns = 0.11,
                        .between_rows = 0.13},
       .key_panel = "at graph 0.06,0.94 left top font ',15' spacing 1.5 samplen 3"};
-  return {.name = name,
-          .caption = caption,
-          .script = script_of(plot),
-          .data = {file.data()},
-          .width = 960,
-          .height = 680};
+  return {
+      .name = name, .caption = caption, .script = script_of(plot), .data = {file.data()}, .width = 960, .height = 680};
 }
 
 }  // namespace ricochet::console

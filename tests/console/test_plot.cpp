@@ -82,10 +82,9 @@ TEST_CASE("gnuplot draws what panels describe, with the key in a panel of its ow
   const Panel panel{
       .x = {.label = "t"},
       .y = {.label = "f"},
-      .curves =
-          {{.file = "two.csv", .rows = two.rows(0), .what = "1:2", .style = "lines lt 1", .title = "it's"},
-           {.file = "two.csv", .rows = two.rows(1), .what = "1:2", .style = "lines lt 2", .title = "other"}},
-                    .room = "graph 0,0.02,0.03,0"};
+      .curves = {{.file = "two.csv", .rows = two.rows(0), .what = "1:2", .style = "lines lt 1", .title = "it's"},
+                 {.file = "two.csv", .rows = two.rows(1), .what = "1:2", .style = "lines lt 2", .title = "other"}},
+      .room = "graph 0,0.02,0.03,0"};
   const Plot plot{.panels = {panel},
                   .layout = Layout{.rows = 1, .columns = 2, .left = 0.1, .right = 0.9, .bottom = 0.1, .top = 0.9},
                   .key_panel = "left top"};

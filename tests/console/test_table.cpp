@@ -36,7 +36,8 @@ TEST_CASE("a table aligns its columns and carries units") {
 TEST_CASE("a table that is wider than a terminal breaks names first, then texts, and keeps its numbers whole") {
   Table table({{"which of many peers"}, {"a name of several words", "kg/s²"}, {"remark"}},
               std::string(70, 'c') + " " + std::string(60, 'd'));
-  const std::string words = "far more than a row of a table can hold beside its numbers and names, which is why it is broken";
+  const std::string words =
+      "far more than a row of a table can hold beside its numbers and names, which is why it is broken";
   table.row({std::string("one that is long"), 1234.5, words});
   table.row({std::string("two"), 1.0, std::string("short")});
   table.note(words + " " + words);

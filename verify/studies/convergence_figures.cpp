@@ -46,8 +46,8 @@ std::vector<std::string> functions_of(const std::vector<Panel>& panels) {
   return functions;
 }
 
-/// Adds a triangle of slope −order between two numbers of steps, a factor below the lowest error that the curves of
-/// that order have there; `place` counts the triangles of a panel.
+/// Adds a triangle of slope −order between two numbers of steps, a factor below every curve there, so that none crosses
+/// it or the number at its left; `place` counts the triangles of a panel.
 void add_triangle(console::Panel& drawn, const Panel& panel, double order, std::size_t place) {
   const auto& steps = panel.cases.front()->steps;
   // A second order's triangle stands farther right, where it does not cover the first.
@@ -56,7 +56,7 @@ void add_triangle(console::Panel& drawn, const Panel& panel, double order, std::
   double least = std::numeric_limits<double>::infinity();
   const double n1 = static_cast<double>(steps[first]), n2 = static_cast<double>(steps[last]);
   for (const Convergence* c : panel.cases)
-    for (std::size_t i = first; i <= last && *c->statement.order == order; ++i)
+    for (std::size_t i = first; i <= last; ++i)
       if (c->errors[i] > 0) least = std::min(least, c->errors[i] * std::pow(static_cast<double>(steps[i]) / n1, order));
   if (!std::isfinite(least)) return;
   const double top = 0.3 * least, bottom = top * std::pow(n1 / n2, order);
@@ -160,8 +160,10 @@ std::string drawn(const std::vector<Panel>& panels, const std::vector<std::strin
     add_triangles(one, panel);
     for (const Convergence* c : panel.cases) {
       const auto function = std::find(functions.begin(), functions.end(), c->statement.function) - functions.begin();
-      one.curves.push_back(
-          {.file = file.name(), .rows = file.rows(series++), .what = "3:4", .style = style(static_cast<std::size_t>(function))});
+      one.curves.push_back({.file = file.name(),
+                            .rows = file.rows(series++),
+                            .what = "3:4",
+                            .style = style(static_cast<std::size_t>(function))});
     }
   }
   for (std::size_t i = 0; i < functions.size(); ++i)

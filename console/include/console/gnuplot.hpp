@@ -55,10 +55,10 @@ class SeriesFile {
 /// Columns of one of the figure's data files, of which the first line is a header; or, without a file, an expression.
 struct Curve {
   std::string file = {};
-  std::optional<Rows> rows = {};          ///< those to draw; without: all
-  std::string what = {};                  ///< the columns, "1:3" or "($2*1e3):5", or the expression, "0"
-  std::string style = {};                 ///< "lines lt 1 lw 2"
-  std::string title = {};                 ///< in the key of a panel that has one
+  std::optional<Rows> rows = {};  ///< those to draw; without: all
+  std::string what = {};          ///< the columns, "1:3" or "($2*1e3):5", or the expression, "0"
+  std::string style = {};         ///< "lines lt 1 lw 2"
+  std::string title = {};         ///< in the key of a panel that has one
 };
 
 /// Words at a place of the axes; `style` is where they stand to it and their colour, "right tc rgb '#767676'".
@@ -99,6 +99,10 @@ struct Plot {
   std::string key_panel = {};   ///< the place in one panel more, without axes, of a key
   std::vector<Curve> key = {};  ///< to these; without: to the first panel's curves
 };
+
+/// A panel that is the whole picture, with its key below it in rows, clear of the axis's label; `below` is the share
+/// of the picture's height that both take.
+Plot with_key_below(Panel panel, int rows, double below);
 
 /// The script of a Figure. Every panel says all that is said about it, nothing stays from the one before.
 std::string script_of(const Plot& plot);

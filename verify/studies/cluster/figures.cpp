@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -113,11 +114,28 @@ Panel panel(const std::string& label, std::initializer_list<Component> component
   return panel;
 }
 
+/// What the picture has to hold of one axis.
+using Extent = std::pair<double, double>;
+
+/// Of all that the spheres reach in both runs, whole where they start, and a little more.
+Extent extent(const Run& strong, const Run& weak, double Vec3::*axis) {
+  constexpr double room = 0.01;  // m
+  Extent held{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  const auto hold = [&](double at, double around) {
+    held = {std::min(held.first, at - around), std::max(held.second, at + around)};
+  };
+  for (const Sphere& sphere : five_spheres(strong.law).spheres) hold(sphere.position.*axis, sphere.radius + room);
+  for (const Run* run : {&strong, &weak})
+    for (const Sample& s : run->samples)
+      for (std::size_t i = 0; i < 5; ++i) hold(s.position[i].*axis, room);
+  return held;
+}
+
 /// The five ways of one run, seen along x, and where they begin.
-Panel ways(const char* title, const char* file) {
+Panel ways(const char* title, const char* file, Extent y, Extent z) {
   Panel panel{.title = title,
-              .x = {.label = "y [m]", .range = std::pair(-0.01, 0.2), .tics = 0.04, .minor_tics = false},
-              .y = {.label = "z [m]", .range = std::pair(0.0, 0.26), .tics = 0.04, .minor_tics = false},
+              .x = {.label = "y [m]", .range = y, .tics = 0.04, .minor_tics = false},
+              .y = {.label = "z [m]", .range = z, .tics = 0.04, .minor_tics = false},
               .key = "bottom right samplen 1.5",
               .equal_scales = true};
   panel.curves = {{.file = "cluster-start.csv", .what = "1:2:3", .style = "circles lc rgb '#767676' fs empty"},
@@ -135,9 +153,10 @@ Panel ways(const char* title, const char* file) {
 }  // namespace
 
 Figure trajectories(const Run& strong, const Run& weak) {
+  const Extent y = extent(strong, weak, &Vec3::y), z = extent(strong, weak, &Vec3::z);
   console::Plot plot{
-      .panels = {ways("strong repulsion, α = 0.01", "cluster-strong.csv"),
-                 ways("weak repulsion, α = 0.97", "cluster-weak.csv")},
+      .panels = {ways("strong repulsion, α = 0.01", "cluster-strong.csv", y, z),
+                 ways("weak repulsion, α = 0.97", "cluster-weak.csv", y, z)},
       .layout = console::Layout{
           .columns = 2, .left = 0.10, .right = 0.98, .bottom = 0.14, .top = 0.94, .between_columns = 0.08}};
   plot.panels.back().y.label = "";
@@ -147,7 +166,7 @@ Figure trajectories(const Run& strong, const Run& weak) {
       .script = console::script_of(plot),
       .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), circles(strong)},
       .width = 900,
-      .height = 560,
+      .height = 600,
       .finding = fmt::format("Sphere 1 comes from above and drives the others apart: {} under strong, {} under weak "
                              "repulsion.",
                              farthest(strong), farthest(weak))};

@@ -64,8 +64,8 @@ std::pair<double, double> taken(const std::vector<const Path*>& paths, const Sca
 }
 
 /// One panel; `first` is the first of all paths, which the file's series are counted from.
-console::Panel panel_of(const std::vector<const Path*>& paths, const Path* first, const console::SeriesFile& file, Axes axes,
-                        const Ranges& ranges) {
+console::Panel panel_of(const std::vector<const Path*>& paths, const Path* first, const console::SeriesFile& file,
+                        Axes axes, const Ranges& ranges) {
   const auto axis = [&](Quantity quantity, const char* label_offset) {
     const Scale& scale = scale_of(quantity);
     const auto shown = (ranges.*scale.range).value_or(taken(paths, scale));
@@ -136,12 +136,8 @@ console::Figure overlaid(const std::string& name, const std::string& caption, co
                                                .between_rows = 0.12},
                      .key_panel = "at graph 0.02,0.98 left top maxrows 6 font ',13' spacing 1.4 samplen 3"};
   for (const Axes& a : axes) plot.panels.push_back(panel_of(all, paths.data(), file, a, ranges));
-  return {.name = name,
-          .caption = caption,
-          .script = script_of(plot),
-          .data = {file.data()},
-          .width = 960,
-          .height = 760};
+  return {
+      .name = name, .caption = caption, .script = script_of(plot), .data = {file.data()}, .width = 960, .height = 760};
 }
 
 std::vector<Instant> closed_form(const Fractional& law, const Impact& impact, double until) {
