@@ -57,7 +57,9 @@ Start start_of(const Encounter& pair, double step) {
 }
 
 double half_box(const Encounter& pair) { return 10 * std::max(pair.a.radius, pair.b ? pair.b->radius : 0.0); }
-double wall_at(const Encounter& pair, std::size_t wall) { return pair.b || wall > 0 ? -0.8 * half_box(pair) : 0; }
+double wall_at(const Encounter& pair, std::size_t wall) {
+  return pair.b || wall != pair.met ? -0.8 * half_box(pair) : 0;
+}
 
 std::string box(const Encounter& pair, int types, const char* units) {
   std::string sides;

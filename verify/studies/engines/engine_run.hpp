@@ -33,8 +33,9 @@ struct Encounter {
   double velocity = 0;          ///< relative [m/s]
   double tcol = 0;              ///< of the collision, roughly [s]; a run takes 1.7 of it
   int grain_types = 1;          ///< that the snippet has
-  /// What follows ricochet_wall and wall_material in the snippet, of each kind of wall; without b the first is met.
+  /// What follows ricochet_wall and wall_material in the snippet, of each kind of wall.
   std::vector<std::string> walls = {};
+  std::size_t met = 0;  ///< the wall that is met without b
 
   double duration() const { return 1.7 * tcol; }
   double mass_eff() const { return b ? a.mass() / (1 + a.mass() / b->mass()) : a.mass(); }
