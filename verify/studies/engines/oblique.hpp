@@ -1,0 +1,47 @@
+#pragma once
+
+#include "contacts.hpp"
+#include "outcome.hpp"
+
+#include <console/table.hpp>
+#include <verify/gate.hpp>
+
+#include <string>
+#include <vector>
+
+namespace ricochet::verify::engines {
+
+/// An impact at an angle on a contact with a tangential part, as `calibrate --export` writes it, beside ours.
+struct ObliqueContact {
+  Contact what;
+  std::string tangential;  ///< "linear, damped"
+  double angle = 0;        ///< of the relative velocity from the normal [°]
+  bool exact = false;      ///< the engine is said to have this very law
+  double et = 0;           ///< of the centres, by our oblique collision
+  double spin = 0;         ///< |ω| of each sphere after, likewise, in units of v/r, v the relative velocity
+};
+
+/// A wall and a pair at three angles, for each law of the normal and tangential part that the engine can be given.
+std::vector<ObliqueContact> oblique_contacts(calibration::Engine engine);
+
+struct ObliqueMeasured {
+  double et = 0, spin = 0;
+};
+
+struct ObliqueOutcome {
+  ObliqueContact what;
+  std::vector<ObliqueMeasured> at{};  ///< over resolutions
+  ObliqueMeasured limit{};            ///< extrapolated from the two finest steps, for errors of first order
+
+  /// Greater of the errors of e_t and of the spin, both in units of the velocity.
+  double error(const ObliqueMeasured& m) const;
+};
+
+/// Throws as EngineProgram::run.
+ObliqueOutcome run(const EngineProgram& program, const ObliqueContact& what);
+
+console::Table oblique_table(const std::vector<ObliqueOutcome>& outcomes);
+std::vector<Gate> oblique_gates(const std::vector<ObliqueOutcome>& outcomes);
+console::Json oblique_rows(const std::vector<ObliqueOutcome>& outcomes);
+
+}  // namespace ricochet::verify::engines
