@@ -17,7 +17,7 @@ struct Language {
   Engine engine;
   std::string_view name, version, comment;
   Body (*write)(const ContactSet&);
-  std::string_view step_before, step_behind;  ///< what sets the time step, around its number; empty: not known
+  std::string_view step_before, step_behind;  ///< what sets the time step, around its number
 };
 
 constexpr std::array<Language, 5> languages{{
@@ -26,7 +26,7 @@ constexpr std::array<Language, 5> languages{{
     {Engine::yade, "yade", "Yade 2023.02a", "# ", write_yade, "O.dt = ", ""},
     {Engine::mercurydpm, "mercurydpm", "MercuryDPM, revision of July 2024", "// ", write_mercurydpm, "setTimeStep(",
      ");"},
-    {Engine::mfix, "mfix", "MFiX 25.2.1", "! ", write_mfix, "", ""},
+    {Engine::mfix, "mfix", "MFiX 25.2.1", "! ", write_mfix, "DTSOLID_FACTOR = ", ""},
 }};
 
 const Language& language(Engine engine) { return languages[std::size_t(engine)]; }
@@ -150,14 +150,11 @@ std::optional<double> step_for(const std::vector<PairSteps>& pairs, double bound
   return least;
 }
 
+/// The number by which an engine divides a time of its own, at least 10, as MFiX wants it.
+double divisor(double time, double step) { return std::max(10.0, std::ceil(time / step * (1 - 1e-9))); }
+
 /// The time step as comment and command.
-void append_step(const Language& in, const ContactSet& set, Snippet& snippet) {
-  if (in.step_before.empty()) {
-    append_comment(
-        snippet.text, in.comment,
-        "Time step: this engine's stepping was not measured here; see how its own choice changes the rebound.");
-    return;
-  }
+void append_step(const Language& in, const ContactSet& set, const Body& body, Snippet& snippet) {
   std::vector<PairSteps> pairs;
   for (std::size_t i = 0; i < set.pairs.size(); ++i) pairs.push_back(steps_of(set, set.pairs[i], snippet.gives[i]));
   const auto end = snippet.gives.front().status;
@@ -181,7 +178,14 @@ void append_step(const Language& in, const ContactSet& set, Snippet& snippet) {
   if (!finest) return;
   append_comment(snippet.text, in.comment,
                  fmt::format("Time step: {}, wherever in a step the first touch falls.", told));
-  snippet.text += fmt::format("{}{}{}\n", in.step_before, shortest(*finest), in.step_behind);
+  if (body.divided_time)
+    append_comment(snippet.text, in.comment,
+                   fmt::format("That is by its default, DES_INTG_METHOD = 'EULER', which was read, not run. The engine "
+                               "divides what it takes for the collision time, {} s, by the factor; versions without "
+                               "that keyword always divide by 50.",
+                               rounded(*body.divided_time)));
+  const double told_step = body.divided_time ? divisor(*body.divided_time, *finest) : *finest;
+  snippet.text += fmt::format("{}{}{}\n", in.step_before, shortest(told_step), in.step_behind);
 }
 
 }  // namespace
@@ -221,7 +225,7 @@ Snippet export_contacts(Engine engine, const ContactSet& set) {
   if (body.other_end) tell_other_end(in, set, body, snippet);
   for (const std::string& remark : body.remarks) append_comment(snippet.text, in.comment, remark);
   snippet.text += body.input;
-  if (snippet.fidelity != Fidelity::absent) append_step(in, set, snippet);
+  if (snippet.fidelity != Fidelity::absent) append_step(in, set, body, snippet);
   return snippet;
 }
 
