@@ -121,7 +121,7 @@ Table step_table(const Report& report) {
   const Notation three{Notation::Kind::significant, 3};
   std::vector<console::Column> columns{{"law"}, {"end"}, {"in"}};
   for (const double bound : step_bounds) {
-    columns.push_back({fmt::format("step for {} %", console::shortest(100 * bound)), "s", three});
+    columns.push_back({fmt::format("step, {} %", console::shortest(100 * bound)), "s", three});
     columns.push_back({"tcol/step"});
   }
   columns.push_back({"Hertz time", "s", three});
