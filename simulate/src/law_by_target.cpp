@@ -1,6 +1,7 @@
 #include "law_by_target.hpp"
 
 #include <console/number.hpp>
+#include <ricochet/collision/reach.hpp>
 
 #include <fmt/format.h>
 
@@ -104,6 +105,15 @@ const Node& place_of(const ByPair& by_pair) {
   return by_pair.laws.empty() ? by_pair.tangentials.begin()->second.place : by_pair.laws.begin()->second.place;
 }
 
+/// The rounding of the parameters leaves no fractional law of e_n < 0.00317 that ends by overlap.
+void require_reach(const Node& law, LawKind kind, double en, ContactEnd end) {
+  if (reaches(kind, end, en, 1, {1, 1})) return;
+  law.at("en").reject(fmt::format(
+      "in [{}, 1] with the law {} ended by {}: below, the rounding of its parameters to doubles leaves another en",
+      console::significant(least_restitution(kind, end, en, 1, {1, 1}), 3), kind.name(),
+      end == ContactEnd::force ? "force" : "overlap"));
+}
+
 }  // namespace
 
 bool is_by_target(const Node& law) { return law.has("en"); }
@@ -116,6 +126,8 @@ LawByTarget read_law_by_target(const Node& law) {
   const Scale scale = read_scale(law);
   if (law.has("end") && law.at("end").text() == "overlap" && !kind.ends().offer(ContactEnd::overlap))
     law.at("end").reject(fmt::format("force with the law {}", kind.name()));
+  require_reach(law, kind, en,
+                law.has("end") && law.at("end").text() == "overlap" ? ContactEnd::overlap : ContactEnd::force);
   if (!law.has("velocity") && needs_velocity(kind, scale))
     law.complain("\"velocity\" is missing; this law depends on the impact velocity for which it is made");
   return {kind, en, scale, law.has("velocity") ? law.at("velocity").positive() : 1, law};
