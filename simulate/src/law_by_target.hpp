@@ -38,8 +38,8 @@ bool is_by_target(const console::Node& law);
 LawByTarget read_law_by_target(const console::Node& law);
 
 /// Gives every pair of bodies its own law and springs: bodies of materials with such are sorted by radius and density,
-/// each sort becomes a material of its own, and every interaction is repeated for the sorts. Without any the setup stays
-/// as it is. Throws console::BadInput for more than 200 sorts, and where no double carries a pair's law.
+/// each sort becomes a material of its own, and every interaction is repeated for the sorts. Without any the setup
+/// stays as it is. Throws console::BadInput for more than 200 sorts, and where no double carries a pair's law.
 void resolve(const ByPair& by_pair, ClusterSetup& setup);
 
 }  // namespace ricochet::simulate
