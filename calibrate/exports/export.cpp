@@ -18,7 +18,7 @@ struct Language {
   Engine engine;
   std::string_view name, version, comment;
   Body (*write)(const ContactSet&);
-  std::string_view step_before, step_behind;  ///< what sets the time step, around its number; empty: not known
+  std::string_view step_before, step_behind;  ///< what sets the time step, around its number
 };
 
 constexpr std::array<Language, 5> languages{{
@@ -27,7 +27,7 @@ constexpr std::array<Language, 5> languages{{
     {Engine::yade, "yade", "Yade 2023.02a", "# ", write_yade, "O.dt = ", ""},
     {Engine::mercurydpm, "mercurydpm", "MercuryDPM, revision of July 2024", "// ", write_mercurydpm, "setTimeStep(",
      ");"},
-    {Engine::mfix, "mfix", "MFiX 25.2.1", "! ", write_mfix, "", ""},
+    {Engine::mfix, "mfix", "MFiX 25.2.1", "! ", write_mfix, "DTSOLID_FACTOR = ", ""},
 }};
 
 const Language& language(Engine engine) { return languages[std::size_t(engine)]; }
@@ -181,6 +181,9 @@ std::optional<double> step_for(const std::vector<PairSteps>& pairs, double bound
   return least;
 }
 
+/// The number by which an engine divides a time of its own, at least 10, as MFiX wants it.
+double divisor(double time, double step) { return std::max(10.0, std::ceil(time / step * (1 - 1e-9))); }
+
 /// How the engine ends contacts, whatever was asked for.
 ContactEnd end_in(const ContactSet& set, const Body& body) { return body.other_end.value_or(set.end); }
 
@@ -209,17 +212,11 @@ std::vector<std::string> never_parting(const ContactSet& set, ContactEnd end) {
 }
 
 /// The time step as comment and command.
-void append_step(const Language& in, const ContactSet& set, ContactEnd end, Snippet& snippet) {
-  if (in.step_before.empty()) {
-    append_comment(
-        snippet.text, in.comment,
-        "Time step: this engine's stepping was not measured here; see how its own choice changes the rebound.");
-    return;
-  }
+void append_step(const Language& in, const ContactSet& set, const Body& body, Snippet& snippet) {
   std::vector<PairSteps> pairs;
   for (std::size_t i = 0; i < set.pairs.size(); ++i) pairs.push_back(steps_of(set, set.pairs[i], snippet.gives[i]));
   for (const PairCase& other : set.other_sizes) {
-    const Collision gives = collide(other.law, other.impact, {.end = end});
+    const Collision gives = collide(other.law, other.impact, {.end = end_in(set, body)});
     if (gives.separated()) pairs.push_back(steps_of(set, other, gives));
   }
   // As a share of the collision time where there is only one.
@@ -236,7 +233,14 @@ void append_step(const Language& in, const ContactSet& set, ContactEnd end, Snip
   if (!finest) return;
   append_comment(snippet.text, in.comment,
                  fmt::format("Time step: {}, wherever in a step the first touch falls.", told));
-  snippet.text += fmt::format("{}{}{}\n", in.step_before, shortest(*finest), in.step_behind);
+  if (body.divided_time)
+    append_comment(snippet.text, in.comment,
+                   fmt::format("That is by its default, DES_INTG_METHOD = 'EULER', which was read, not run. The engine "
+                               "divides what it takes for the collision time, {} s, by the factor; versions without "
+                               "that keyword always divide by 50.",
+                               rounded(*body.divided_time)));
+  const double told_step = body.divided_time ? divisor(*body.divided_time, *finest) : *finest;
+  snippet.text += fmt::format("{}{}{}\n", in.step_before, shortest(told_step), in.step_behind);
 }
 
 }  // namespace
@@ -281,7 +285,7 @@ Snippet export_contacts(Engine engine, const ContactSet& set) {
   if (body.other_end) tell_other_end(in, set, body, snippet);
   for (const std::string& remark : body.remarks) append_comment(snippet.text, in.comment, remark);
   snippet.text += body.input;
-  if (snippet.fidelity != Fidelity::absent) append_step(in, set, end, snippet);
+  if (snippet.fidelity != Fidelity::absent) append_step(in, set, body, snippet);
   return snippet;
 }
 

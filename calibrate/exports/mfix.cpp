@@ -3,6 +3,7 @@
 #include <ricochet/collision/damping_ratio.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace ricochet::calibration {
 
@@ -64,6 +65,12 @@ struct Mfix {
     return logarithmic_restitution(damping_ratio(law_of<Law>(pair), pair.impact.mass_eff));
   }
 
+  /// What MFiX takes for the collision time of two grains, π/√(k/m − (η/m)²/4) with η = 2√(mk) |ln e|/√(π² + ln²e):
+  /// √((π² + ln²e) m/k), for the Hertzian k as if it were a linear one.
+  static double own_collision_time(double k, double mass, double en) {
+    return std::hypot(std::numbers::pi, std::log(en)) * std::sqrt(mass / k);
+  }
+
   Body operator()(const Linear&) const {
     if (!one_phase()) return several();
     if (is_mindlin(set)) return no_such_tangential("MFiX", "LSD has a constant k_t; take the linear tangential law");
@@ -83,6 +90,7 @@ DES_EN_WALL_INPUT(1) = {}
 {}{})",
                                    shortest(law_of<Linear>(grains()).k()), shortest(law_of<Linear>(at_wall()).k()),
                                    shortest(*en), shortest(*en_wall), *sliding, friction())};
+    body.divided_time = own_collision_time(law_of<Linear>(grains()).k(), grains().impact.mass_eff, *en);
     if (frictional(set))
       body.remarks.emplace_back(
           "KT_FAC is k_t/k, DES_ETAT_FAC c_t/c, each of at most 1; without them MFiX takes 2/7 "
@@ -137,6 +145,7 @@ DES_ET_WALL_INPUT(1) = 1.0
                         fmt::arg("nu", shortest(set.kinds.front().poisson)),
                         fmt::arg("nu_wall", shortest(set.kinds.back().poisson)), fmt::arg("en", shortest(*en)),
                         fmt::arg("en_wall", shortest(*en_wall)), fmt::arg("friction", friction()))};
+    body.divided_time = own_collision_time(law_of<Tsuji>(grains()).k(), grains().impact.mass_eff, *en);
     if (frictional(set)) {
       body.fidelity = Fidelity::close;
       body.remarks.emplace_back(

@@ -156,3 +156,27 @@ TEST_CASE("a pair out of reach says so, the others stay") {
   CHECK(std::holds_alternative<PairResult>(outcomes[0]));
   CHECK(std::holds_alternative<PairMissed>(outcomes[1]));
 }
+
+TEST_CASE("what keeps e_n at every size is written where the engine can be given these pairs' numbers") {
+  const auto written = [](double en_of_grains, double en_at_wall) {
+    Materials m = sizes(kind_of<Tsuji>);
+    m.pairs = {{0, 0, en_of_grains}, {0, 1, en_at_wall}};
+    std::vector<std::string> engines;
+    for (const SizeChoice& c : size_choices(m, found(m))) {
+      CHECK(c.written == c.refusal.empty());
+      if (c.written) engines.push_back(c.engine);
+    }
+    return engines;
+  };
+  using Names = std::vector<std::string>;
+  // LIGGGHTS damps by the logarithmic form of a restitution, which ends by force at 0.2137: beta = 1 of -ln e/hypot.
+  CHECK(written(0.7, 0.6) == Names{"liggghts", "lammps", "yade", "mercurydpm", "mfix"});
+  CHECK(written(0.7, 0.2).front() == "lammps");
+  CHECK(written(0.2, 0.6).front() == "lammps");
+  Materials two = sizes(kind_of<Linear>);
+  two.all.insert(two.all.begin() + 1, two.all.front());
+  two.all[1].name = "other";
+  two.pairs = {{0, 0, 0.7}, {0, 1, 0.7}, {1, 1, 0.7}, {0, 2, 0.7}, {1, 2, 0.7}};
+  for (const SizeChoice& c : size_choices(two, found(two)))
+    if (c.engine == "mfix") CHECK(c.refusal.find("one solids phase") != std::string::npos);
+}
