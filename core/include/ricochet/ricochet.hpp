@@ -10,6 +10,7 @@
 #include <ricochet/collision/instant.hpp>
 #include <ricochet/collision/oblique.hpp>
 #include <ricochet/collision/peer_damping.hpp>
+#include <ricochet/collision/reach.hpp>
 #include <ricochet/collision/reduction.hpp>
 #include <ricochet/collision/scale_and_loss.hpp>
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
