@@ -90,6 +90,8 @@ bool damped_tangentially(const ContactSet& set);
 /// k_t/√R = 8 G* [Pa] of Mindlin's law.
 double mindlin_modulus(const PairCase& pair);
 
+/// For an engine whose dashpot feels the whole slip of a contact that slides.
+std::string dashpot_feels_slip(std::string_view engine);
 /// For an engine that judges the limit by the spring alone and adds the dashpot's force only while the contact sticks.
 std::string judges_spring_alone(std::string_view engine);
 /// What each of them does where Mindlin's contact grows or shrinks, beside the law that was asked for.

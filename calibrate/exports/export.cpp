@@ -440,10 +440,18 @@ bool damped_tangentially(const ContactSet& set) {
 
 double mindlin_modulus(const PairCase& pair) { return sliding_of(pair).k_t / std::sqrt(pair.radius_eff.value()); }
 
+std::string dashpot_feels_slip(std::string_view engine) {
+  return fmt::format(
+      "{}'s tangential dashpot feels the whole slip of a contact that slides: the law asked for has its slider in "
+      "series "
+      "with spring and dashpot. The rebound differs where the contact slides and c_t > 0.",
+      engine);
+}
+
 std::string judges_spring_alone(std::string_view engine) {
   return fmt::format(
       "{} compares the spring's force alone with mu R and adds the dashpot's only while the contact sticks: the law "
-      "asked for compares both. The rebound differs where the contact slides and c_t > 0.",
+      "asked for compares their sum. The rebound differs where the contact slides and c_t > 0.",
       engine);
 }
 

@@ -223,7 +223,12 @@ struct Lammps {
 Body write_lammps(const ContactSet& set) {
   const Lammps lammps{set};
   if (auto refused = lammps.without_dashpots()) return *refused;
-  return std::visit(lammps, set.pairs.front().law);
+  Body body = std::visit(lammps, set.pairs.front().law);
+  if (damped_tangentially(set) && body.fidelity == Fidelity::exact) {
+    body.fidelity = Fidelity::close;
+    body.remarks.push_back(dashpot_feels_slip("LAMMPS"));
+  }
+  return body;
 }
 
 }  // namespace ricochet::calibration

@@ -146,7 +146,13 @@ struct MercuryDpm {
 
 Body write_mercurydpm(const ContactSet& set) {
   const MercuryDpm mercury{set};
-  return is_mindlin(set) ? mercury.mindlin() : std::visit(mercury, set.pairs.front().law);
+  if (is_mindlin(set)) return mercury.mindlin();
+  Body body = std::visit(mercury, set.pairs.front().law);
+  if (damped_tangentially(set) && body.fidelity == Fidelity::exact) {
+    body.fidelity = Fidelity::close;
+    body.remarks.push_back(dashpot_feels_slip("MercuryDPM"));
+  }
+  return body;
 }
 
 }  // namespace ricochet::calibration

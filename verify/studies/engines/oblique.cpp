@@ -75,6 +75,85 @@ ObliqueCollision ours(const Laws& laws, const Encounter& who) {
                  ObliqueImpact{.normal = {1, 0, 0}, .i = a, .j = b});
 }
 
+/// What an engine does with its tangential spring and dashpot.
+struct Rule {
+  bool limits_spring_alone = false;  ///< and leaves the dashpot out of a contact that slides; else it limits their sum
+  enum class Keeps {
+    asked,   ///< the force while Mindlin's contact grows, the strain while it shrinks
+    strain,  ///< both ways
+    force    ///< both ways
+  } keeps = Keeps::asked;
+};
+
+Rule rule_of(Engine engine) {
+  if (engine == Engine::liggghts) return {true, Rule::Keeps::strain};
+  if (engine == Engine::yade) return {true, Rule::Keeps::force};
+  return {};
+}
+
+/// Spring, dashpot and limit of one contact, in one direction.
+class Slider {
+ public:
+  explicit Slider(Rule rule) : rule_(rule) {}
+
+  /// The traction of a spring and dashpot that are `now` as they are, after a slip u over dt.
+  double act(const Spring& now, double u, double dt, double limit) {
+    if (stiffness_ > 0 && rule_.keeps != Rule::Keeps::force) {
+      const double grown = now.stiffness / stiffness_;
+      force_ *= rule_.keeps == Rule::Keeps::strain ? grown : std::min(1.0, grown);
+    }
+    stiffness_ = now.stiffness;
+    force_ -= now.stiffness * u * dt;
+    const double viscous = -now.damping * u, wanted = force_ + viscous;
+    if (rule_.limits_spring_alone) {
+      if (std::abs(force_) <= limit) return wanted;
+      force_ = std::copysign(limit, force_);
+      return force_;
+    }
+    if (std::abs(wanted) <= limit) return wanted;
+    force_ = std::copysign(limit, wanted) - viscous;
+    return std::copysign(limit, wanted);
+  }
+
+ private:
+  Rule rule_;
+  double force_ = 0, stiffness_ = 0;  ///< of the spring
+};
+
+/// R of the two laws that are run here.
+double repelling(const AnyLaw& law, const Approach& state) {
+  const auto* linear = std::get_if<Linear>(&law);
+  return std::max(0.0, linear ? linear->force(state, {}) : std::get<Tsuji>(law).force(state, {}));
+}
+
+/// The engine's rule stepped by leapfrog; the overlap's share of the arms and the turning of the normal left out:
+/// u' = (7/2) T/m, V' = T/m, and of a sphere of mass m_a r ω' = (5/2) T/m_a.
+ObliqueMeasured stepped(const Rule& rule, const Laws& laws, const Encounter& who, double step) {
+  double overlap = -steps_before_touch * step * who.velocity, rate = who.velocity;
+  double slip = who.across, across = who.across, turned = 0;
+  Slider slider(rule);
+  for (long n = 0; n <= std::lround(who.duration() / step); ++n) {
+    if (overlap > 0) {
+      const double force = repelling(laws.normal, {overlap, rate});
+      const double traction = slider.act(spring(laws.part.law, overlap), slip, step, mu * force);
+      rate -= force / who.mass_eff() * step;
+      slip += 3.5 * traction / who.mass_eff() * step;
+      across += traction / who.mass_eff() * step;
+      turned += 2.5 * traction / who.a.mass() * step;
+    }
+    overlap += rate * step;
+  }
+  return {across / who.across, std::abs(turned) / std::hypot(who.velocity, who.across)};
+}
+
+/// In the limit of small steps, by two of them.
+ObliqueMeasured by_rule(const Rule& rule, const Laws& laws, const Encounter& who) {
+  constexpr double steps = 20000;
+  const ObliqueMeasured coarse = stepped(rule, laws, who, who.tcol / steps),
+                        fine = stepped(rule, laws, who, who.tcol / (2 * steps));
+  return {2 * fine.et - coarse.et, 2 * fine.spin - coarse.spin};
+}
+
 calibration::PairCase pair_of(const Kind& kind, const Encounter& who) {
   const Impact impact{slow, who.mass_eff()};
   const calibration::Request request{kind.normal, ContactEnd::force, {tcol, en, impact}};
@@ -104,7 +183,7 @@ std::vector<ObliqueContact> oblique_contacts(Engine engine) {
         const ObliqueCollision c = ours({pair.law, *pair.tangential}, who);
         const double speed = std::hypot(who.velocity, who.across);
         contacts.push_back({.what = {.engine = engine,
-                                     .name = fmt::format("{}, {}", name(kind.normal), i == 0 ? "wall" : "pair"),
+                                     .name = fmt::format("{}, {}", kind.normal.name(), i == 0 ? "wall" : "pair"),
                                      .snippet = snippet.text,
                                      .end = ContactEnd::force,
                                      .en_asked = en,
@@ -115,16 +194,16 @@ std::vector<ObliqueContact> oblique_contacts(Engine engine) {
                             .tangential = kind.name,
                             .angle = angle,
                             .exact = snippet.fidelity == calibration::Fidelity::exact,
-                            .et = c.et.value(),
-                            .spin = norm(c.spin_i) * who.a.radius / speed});
+                            .ours = {c.et.value(), norm(c.spin_i) * who.a.radius / speed},
+                            .rule = by_rule(rule_of(engine), {pair.law, *pair.tangential}, who)});
       }
   }
   return contacts;
 }
 
-double ObliqueOutcome::error(const ObliqueMeasured& m) const {
+double ObliqueOutcome::difference(const ObliqueMeasured& a, const ObliqueMeasured& b) const {
   const double across = std::sin(what.angle * std::numbers::pi / 180);
-  return std::max(across * std::abs(m.et - what.et), std::abs(m.spin - what.spin));
+  return std::max(across * std::abs(a.et - b.et), std::abs(a.spin - b.spin));
 }
 
 ObliqueOutcome run(const EngineProgram& program, const ObliqueContact& what) {
@@ -159,7 +238,7 @@ std::vector<Angles> by_contact(const std::vector<ObliqueOutcome>& outcomes) {
 std::vector<double> errors_of(const Angles& contact) {
   std::vector<double> errors(std::size(resolutions), 0);
   for (std::size_t i = 0; i < errors.size(); ++i)
-    for (const ObliqueOutcome* o : contact) errors[i] = std::max(errors[i], o->error(o->at[i]));
+    for (const ObliqueOutcome* o : contact) errors[i] = std::max(errors[i], o->error(i));
   return errors;
 }
 
@@ -187,11 +266,12 @@ console::Table oblique_table(const std::vector<ObliqueOutcome>& outcomes) {
                         {"tangential"},
                         {"angle", "°", {Notation::Kind::fixed, 0}},
                         {"e_t, ours", "", five},
+                        {"e_t, rule", "", five},
                         {"e_t, limit", "", five},
                         {"spin, ours", "v/r", five},
                         {"spin, limit", "v/r", five},
-                        {"error at tcol/25", "", power},
-                        {"error at tcol/400", "", power},
+                        {"error, tcol/25", "", power},
+                        {"error, tcol/400", "", power},
                         {"order"},
                         {"law"}},
                        "Oblique impacts: tangential restitution of the centres and spin after");
@@ -199,15 +279,17 @@ console::Table oblique_table(const std::vector<ObliqueOutcome>& outcomes) {
     const std::string order = fmt::format("{:.2f}", order_of(errors_of(contact)));
     for (const ObliqueOutcome* o : contact)
       table.row({std::string(text(o->what.what.engine)), o->what.what.name, o->what.tangential, o->what.angle,
-                 o->what.et, o->limit.et, o->what.spin, o->limit.spin, o->error(o->at.front()), o->error(o->at.back()),
-                 o->what.exact && o == contact.front() ? order : std::string(),
+                 o->what.ours.et, o->what.rule.et, o->limit.et, o->what.ours.spin, o->limit.spin, o->error(0),
+                 o->error(finest), o == contact.front() ? order : std::string(),
                  std::string(o->what.exact ? "the same" : "another")});
   }
   table.note(fmt::format(
-      "mu = {}, e_n = {}, beta0 = {}, {} m/s along the normal; ours: the oblique collision, exact to 1e-9. error: of "
-      "e_t "
-      "and spin, in units of the velocity; order: of the greatest over the angles. another: the engine's law differs, "
-      "as its file says.",
+      "mu = {}, e_n = {}, beta0 = {}, {} m/s along the normal. ours: the oblique collision, exact to 1e-9; rule: what "
+      "the "
+      "engine is said to do, stepped here; limit: the engine's, extrapolated to step 0. error: of e_t and spin from "
+      "the "
+      "rule, in units of the velocity; order: of the greatest over the angles. another: the engine's law differs from "
+      "the one asked for, as its file says.",
       mu, en, beta0, slow));
   return table;
 }
@@ -215,11 +297,17 @@ console::Table oblique_table(const std::vector<ObliqueOutcome>& outcomes) {
 std::vector<Gate> oblique_gates(const std::vector<ObliqueOutcome>& outcomes) {
   std::vector<Gate> gates;
   for (const Angles& contact : by_contact(outcomes)) {
-    if (!contact.front()->what.exact) continue;
-    double worst = 0;
-    for (const ObliqueOutcome* o : contact) worst = std::max(worst, o->error(o->limit));
-    const std::string name = label(contact.front()->what);
-    gates.push_back(at_most(name + ": e_t and spin in the limit, from ours", worst, 1e-3));
+    double ours = 0, rule = 0;
+    for (const ObliqueOutcome* o : contact) {
+      ours = std::max(ours, o->difference(o->limit, o->what.ours));
+      rule = std::max(rule, o->difference(o->limit, o->what.rule));
+    }
+    const std::string name = label(contact.front()->what), limit = ": e_t and spin in the limit, from ";
+    if (contact.front()->what.exact)
+      gates.push_back(at_most(name + limit + "ours", ours, 1e-3));
+    else
+      gates.push_back(at_least(name + limit + "ours, which is another law", ours, 1e-3));
+    gates.push_back(at_most(name + limit + "its rule", rule, 1e-3));
     gates.push_back(between(name + ": order in the step", order_of(errors_of(contact)), 0.7, 1.3));
   }
   return gates;
@@ -235,8 +323,10 @@ console::Json oblique_rows(const std::vector<ObliqueOutcome>& outcomes) {
                     {"tangential", o.what.tangential},
                     {"angle_deg", o.what.angle},
                     {"same_law", o.what.exact},
-                    {"et_expected", o.what.et},
-                    {"spin_expected", o.what.spin},
+                    {"et_ours", o.what.ours.et},
+                    {"spin_ours", o.what.ours.spin},
+                    {"et_rule", o.what.rule.et},
+                    {"spin_rule", o.what.rule.spin},
                     {"et", et},
                     {"spin", spin},
                     {"et_limit", o.limit.et},
