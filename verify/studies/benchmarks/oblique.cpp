@@ -89,7 +89,7 @@ struct Quantity {
 /// Tsuji's dashpot starts like t^{1/4}, Mindlin's spring like √t: order 5/4 or 3/2 in the limit. A plane keeps its
 /// normal; two spheres turn about each other by v_t t_col/(r_i + r_j), which the exact solution leaves out.
 std::vector<Row> rows_of(const std::string& test, const Case& c, const Laws& laws, std::vector<Quantity> quantities,
-                         double least_order) {
+                         double least_order, Check check = Check::order) {
   const ObliqueCollision found = exact(c, laws);
   std::vector<Asked> asked;
   asked.reserve(quantities.size());
@@ -99,7 +99,8 @@ std::vector<Row> rows_of(const std::string& test, const Case& c, const Laws& law
                      .unit = q.unit,
                      .exact = q.of(found.velocity_i, found.spin_i),
                      .scale = q.scale,
-                     .order = std::pair(least_order, 2.0),
+                     .order = {least_order, 2},
+                     .check = check,
                      .published = q.published,
                      .reading = q.reading});
   const ClusterSetup setup = setup_of(c, laws);
@@ -122,13 +123,14 @@ Case oblique(const Solid& solid, double radius, double speed, double degrees, do
 
 constexpr double speed4 = 3.9, radius4 = 2.5e-3, mu4 = 0.092;
 
+// What slides throughout is off by the error of e_n alone, at e = 0.98 the small difference of two.
 std::vector<Row> test4(const Solid& solid, double degrees) {
   const Case c = oblique(solid, radius4, speed4, degrees, mu4, 0.98);
   const double vt = c.i.velocity.x;
   return rows_of(fmt::format("Chung & Ooi 4, {}, {} deg", solid.name, degrees), c, laws_of(c),
-                 {{"restitution of the tangential velocity", "", 1, [vt](Vec3 v, Vec3) { return v.x / vt; }},
+                 {{"e_t of the centre", "", 1, [vt](Vec3 v, Vec3) { return v.x / vt; }},
                   {"spin", "1/s", speed4 / radius4, [](Vec3, Vec3 w) { return w.y; }}},
-                 1.25);
+                 1.25, degrees < 40 ? Check::order : Check::size);
 }
 
 /// v_t/(μ v_n) = x.
@@ -140,11 +142,11 @@ Case test5_case(const Solid& solid, double x) {
 std::vector<Row> test5(const Solid& solid, double x) {
   const Case c = test5_case(solid, x);
   const double unit = c.mu * -c.i.velocity.z, r = c.i.radius;
-  return rows_of(fmt::format("Chung & Ooi 5, {}, v_t = {} mu v_n", solid.name, x), c, laws_of(c),
-                 {{"spin, r omega/(mu v_n)", "", std::max(1.0, x), [=](Vec3, Vec3 w) { return r * w.y / unit; }},
-                  {"slip after, u_t/(mu v_n')", "", std::max(1.0, x),
-                   [=](Vec3 v, Vec3 w) { return (v.x - r * w.y) / (c.mu * v.z); }}},
-                 1.5);
+  return rows_of(
+      fmt::format("Chung & Ooi 5, {}, x = {}", solid.name, x), c, laws_of(c),
+      {{"r omega'/(mu v_n)", "", std::max(1.0, x), [=](Vec3, Vec3 w) { return r * w.y / unit; }},
+       {"u_t'/(mu v_n')", "", std::max(1.0, x), [=](Vec3 v, Vec3 w) { return (v.x - r * w.y) / (c.mu * v.z); }}},
+      1.5);
 }
 
 /// (7/2) μ (1+e) v_n/v_st = x: a rigid sphere that slides throughout has β = x − 1.
@@ -158,7 +160,7 @@ std::vector<Row> test6(const Solid& solid, double x) {
   const Case c = test6_case(solid, x);
   const double slip = slip6(x), r = c.i.radius;
   return rows_of(fmt::format("Chung & Ooi 6, {}, x = {}", solid.name, x), c, laws_of(c),
-                 {{"restitution of the slip", "", 1, [=](Vec3 v, Vec3 w) { return -(v.x - r * w.y) / slip; }}}, 1.25);
+                 {{"beta", "", 1, [=](Vec3 v, Vec3 w) { return -(v.x - r * w.y) / slip; }}}, 1.25);
 }
 
 /// Like spheres with opposite spins have no slip, and keep them: the paper's line ω' = ω.
@@ -175,7 +177,7 @@ std::vector<Row> test7(const Solid& solid, double spin) {
                                   .unit = "1/s",
                                   .exact = spin,
                                   .scale = spin,
-                                  .order = {},
+                                  .check = Check::rounding,
                                   .published = spin,
                                   .reading = 1e-8},
                                  {.test = test,
@@ -183,7 +185,7 @@ std::vector<Row> test7(const Solid& solid, double spin) {
                                   .unit = "m/s",
                                   .exact = 0,
                                   .scale = v,
-                                  .order = {},
+                                  .check = Check::rounding,
                                   .published = 0.0,
                                   .reading = 1e-8}};
   const ClusterSetup setup = setup_of(c, laws_of(c));
@@ -200,7 +202,7 @@ std::vector<Row> test8(const Solid& solid, double x) {
       solid, 0.4, 0.5, {r, solid.density, {}, {0.2, 0, 0}, {0, -slip6(x) / r, 0}}, {5 * r, 1000 * solid.density}};
   const double slip = slip6(x);
   return rows_of(fmt::format("Chung & Ooi 8, {}, x = {}", solid.name, x), c, laws_of(c),
-                 {{"restitution of the slip", "", 1, [=](Vec3 v, Vec3 w) { return -(v.z - r * w.y) / slip; }}}, 1.25);
+                 {{"beta", "", 1, [=](Vec3 v, Vec3 w) { return -(v.z - r * w.y) / slip; }}}, 1.25);
 }
 
 /// Linear springs, arm r there, the paper's r − ζ/2 here: 0.3 % of r at most.
@@ -214,11 +216,11 @@ std::vector<Row> dem05() {
     const double vt = c.i.velocity.x;
     // MFiX's steps put it off by 0.01 and 3 1/s at 5 degrees, less above.
     const Laws laws{Linear(1.72e7, 0), {.law = LinearTangential(1.48e7), .friction = Friction(mu4, mu4, 0)}};
-    const auto more = rows_of(fmt::format("MFiX DEM05, {} deg", file.number(0)), c, laws,
-                              {{"restitution of the tangential velocity", "", 1,
-                                [vt](Vec3 v, Vec3) { return v.x / vt; }, file.number(1), 0.02},
-                               {"spin", "1/s", speed4 / radius4, [](Vec3, Vec3 w) { return w.y; }, file.number(2), 10}},
-                              2);
+    const auto more =
+        rows_of(fmt::format("MFiX DEM05, {} deg", file.number(0)), c, laws,
+                {{"e_t of the centre", "", 1, [vt](Vec3 v, Vec3) { return v.x / vt; }, file.number(1), 0.02},
+                 {"spin", "1/s", speed4 / radius4, [](Vec3, Vec3 w) { return w.y; }, file.number(2), 10}},
+                2);
     rows.insert(rows.end(), more.begin(), more.end());
   }
   return rows;
@@ -247,8 +249,8 @@ std::pair<double, double> curve4(double from_degrees) {
 
 /// The same of test 5 from x on, and of test 6 up to x.
 double curve5(double from) {
-  constexpr std::array columns{console::CsvColumn{"material", "", false}, console::CsvColumn{"v_t/(mu v_n)", "", true},
-                               console::CsvColumn{"r omega/(mu v_n)", "", true}};
+  constexpr std::array columns{console::CsvColumn{"material", "", false}, console::CsvColumn{"x", "", true},
+                               console::CsvColumn{"y", "", true}};
   console::CsvReader file(data_folder() + "/chung_ooi2011_test5_spin.csv", columns);
   double worst = 0;
   while (file.next()) {
@@ -305,15 +307,16 @@ void add_curve_gates(std::vector<Gate>& gates) {
 std::string curve_remark() {
   using console::significant;
   return fmt::format(
-      "The paper's curves are of springs that it does not give in full. In test 4 its reference and ours differ by {} "
+      "The paper's curves are compared where no spring is left in them. In test 4 its reference and ours differ by {} "
       "in "
-      "e_t from 10° on, but by {} at 5°, where it lies far above what is measured, too. In test 5 its spheres turn "
-      "back "
-      "by a share of 0.77 of their slip that does not fall with it, as springs do that keep their strain while the "
-      "contact grows and so make energy; ours, which make none, differ by {}, those that slide by {}. In test 6 "
-      "its springs have dashpots as well: β differs by {}, where all slide by {}.",
-      significant(curve4(10).first, 2), significant(curve4(0).first, 2), significant(curve5(0), 2),
-      significant(curve5(7), 2), significant(curve6(100), 2), significant(curve6(0.8), 2));
+      "e_t from 10° on, but by {} at 5°, where it lies above what is measured, too. In test 5, of spheres that slide "
+      "throughout, they differ by {}, of others by up to {}: there the paper's DEM turns back three quarters of the "
+      "slip "
+      "at every v_t, its finite elements and ours less the smaller it is. In test 6 β differs by {} where all slide, "
+      "by "
+      "up to {} where the springs of the paper, which the sources read here do not give, have a say.",
+      significant(curve4(10).first, 2), significant(curve4(0).first, 2), significant(curve5(7), 2),
+      significant(curve5(0), 2), significant(curve6(0.8), 2), significant(curve6(100), 2));
 }
 
 }  // namespace ricochet::verify::benchmarks
