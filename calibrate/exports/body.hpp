@@ -16,6 +16,8 @@ struct Body {
   std::string input = {};  ///< in the engine's language, whole lines
   /// The end of contact that the engine uses, where it isn't the one asked for.
   std::optional<ContactEnd> other_end = {};
+  /// Of an engine that is not told the time step but by how much it shall divide this one [s].
+  std::optional<double> divided_time = {};
 };
 
 Body write_liggghts(const ContactSet& set);

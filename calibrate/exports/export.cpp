@@ -1,6 +1,7 @@
 #include "body.hpp"
 
 #include <calibrate/advice.hpp>
+#include <calibrate/materials.hpp>
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/support/require.hpp>
 
@@ -17,7 +18,7 @@ struct Language {
   Engine engine;
   std::string_view name, version, comment;
   Body (*write)(const ContactSet&);
-  std::string_view step_before, step_behind;  ///< what sets the time step, around its number; empty: not known
+  std::string_view step_before, step_behind;  ///< what sets the time step, around its number
 };
 
 constexpr std::array<Language, 5> languages{{
@@ -26,7 +27,7 @@ constexpr std::array<Language, 5> languages{{
     {Engine::yade, "yade", "Yade 2023.02a", "# ", write_yade, "O.dt = ", ""},
     {Engine::mercurydpm, "mercurydpm", "MercuryDPM, revision of July 2024", "// ", write_mercurydpm, "setTimeStep(",
      ");"},
-    {Engine::mfix, "mfix", "MFiX 25.2.1", "! ", write_mfix, "", ""},
+    {Engine::mfix, "mfix", "MFiX 25.2.1", "! ", write_mfix, "DTSOLID_FACTOR = ", ""},
 }};
 
 const Language& language(Engine engine) { return languages[std::size_t(engine)]; }
@@ -150,21 +151,42 @@ std::optional<double> step_for(const std::vector<PairSteps>& pairs, double bound
   return least;
 }
 
-/// The time step as comment and command.
-void append_step(const Language& in, const ContactSet& set, Snippet& snippet) {
-  if (in.step_before.empty()) {
-    append_comment(
-        snippet.text, in.comment,
-        "Time step: this engine's stepping was not measured here; see how its own choice changes the rebound.");
-    return;
+/// The number by which an engine divides a time of its own, at least 10, as MFiX wants it.
+double divisor(double time, double step) { return std::max(10.0, std::ceil(time / step * (1 - 1e-9))); }
+
+/// How the engine ends contacts, whatever was asked for.
+ContactEnd end_in(const ContactSet& set, const Body& body) { return body.other_end.value_or(set.end); }
+
+/// Where the law keeps e_n at every size, " lammps and yade write numbers that keep the restitution …"; else nothing.
+std::string who_keeps(LawKind law) {
+  std::vector<std::string> engines;
+  for (const SizeChoice& choice : size_choices(law))
+    if (choice.written) engines.push_back(choice.engine);
+  return engines.empty() ? ""
+                         : fmt::format(" Numbers that keep the restitution at every size are written for: {}.",
+                                       fmt::join(engines, ", "));
+}
+
+/// Grains of other sizes that stay together under the numbers of the file, a sentence each.
+std::vector<std::string> never_parting(const ContactSet& set, ContactEnd end) {
+  std::vector<std::string> sentences;
+  for (const PairCase& other : set.other_sizes) {
+    if (collide(other.law, other.impact, {.end = end}).separated()) continue;
+    sentences.push_back(
+        fmt::format("NEVER PART: {} and {} of effective mass {} kg: under the numbers of this file, which are the same "
+                    "for every size, their contact does not end.",
+                    set.kinds[other.a].name, set.kinds[other.b].name, rounded(other.impact.mass_eff)));
   }
+  if (!sentences.empty()) sentences.back() += who_keeps(LawKind::of(set.pairs.front().law));
+  return sentences;
+}
+
+/// The time step as comment and command.
+void append_step(const Language& in, const ContactSet& set, const Body& body, Snippet& snippet) {
   std::vector<PairSteps> pairs;
   for (std::size_t i = 0; i < set.pairs.size(); ++i) pairs.push_back(steps_of(set, set.pairs[i], snippet.gives[i]));
-  const auto end = snippet.gives.front().status;
   for (const PairCase& other : set.other_sizes) {
-    const Collision gives =
-        collide(other.law, other.impact,
-                {.end = end == CollisionStatus::ended_by_force ? ContactEnd::force : ContactEnd::overlap});
+    const Collision gives = collide(other.law, other.impact, {.end = end_in(set, body)});
     if (gives.separated()) pairs.push_back(steps_of(set, other, gives));
   }
   // As a share of the collision time where there is only one.
@@ -181,7 +203,14 @@ void append_step(const Language& in, const ContactSet& set, Snippet& snippet) {
   if (!finest) return;
   append_comment(snippet.text, in.comment,
                  fmt::format("Time step: {}, wherever in a step the first touch falls.", told));
-  snippet.text += fmt::format("{}{}{}\n", in.step_before, shortest(*finest), in.step_behind);
+  if (body.divided_time)
+    append_comment(snippet.text, in.comment,
+                   fmt::format("That is by its default, DES_INTG_METHOD = 'EULER', which was read, not run. The engine "
+                               "divides what it takes for the collision time, {} s, by the factor; versions without "
+                               "that keyword always divide by 50.",
+                               rounded(*body.divided_time)));
+  const double told_step = body.divided_time ? divisor(*body.divided_time, *finest) : *finest;
+  snippet.text += fmt::format("{}{}{}\n", in.step_before, shortest(told_step), in.step_behind);
 }
 
 }  // namespace
@@ -215,13 +244,18 @@ Snippet export_contacts(Engine engine, const ContactSet& set) {
   const Language& in = language(engine);
   Body body = in.write(set);
   Snippet snippet{engine, set.pairs.front().law, set.end, body.fidelity, {}, body.remarks, heading(in, set)};
-  if (body.fidelity != Fidelity::absent)
-    for (const PairCase& pair : set.pairs)
-      snippet.gives.push_back(collide(pair.law, pair.impact, {.end = body.other_end.value_or(set.end)}));
+  const ContactEnd end = end_in(set, body);
+  if (body.fidelity != Fidelity::absent) {
+    for (const PairCase& pair : set.pairs) snippet.gives.push_back(collide(pair.law, pair.impact, {.end = end}));
+    for (const std::string& sentence : never_parting(set, end)) {
+      body.remarks.push_back(sentence);
+      snippet.remarks.push_back(sentence);
+    }
+  }
   if (body.other_end) tell_other_end(in, set, body, snippet);
   for (const std::string& remark : body.remarks) append_comment(snippet.text, in.comment, remark);
   snippet.text += body.input;
-  if (snippet.fidelity != Fidelity::absent) append_step(in, set, snippet);
+  if (snippet.fidelity != Fidelity::absent) append_step(in, set, body, snippet);
   return snippet;
 }
 

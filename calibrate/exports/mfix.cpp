@@ -3,6 +3,7 @@
 #include <ricochet/collision/damping_ratio.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace ricochet::calibration {
 
@@ -40,6 +41,12 @@ struct Mfix {
     return logarithmic_restitution(damping_ratio(law_of<Law>(pair), pair.impact.mass_eff));
   }
 
+  /// What MFiX takes for the collision time of two grains, π/√(k/m − (η/m)²/4) with η = 2√(mk) |ln e|/√(π² + ln²e):
+  /// √((π² + ln²e) m/k), for the Hertzian k as if it were a linear one.
+  static double own_collision_time(double k, double mass, double en) {
+    return std::hypot(std::numbers::pi, std::log(en)) * std::sqrt(mass / k);
+  }
+
   Body operator()(const Linear&) const {
     if (!one_phase()) return several();
     const auto en = restitution<Linear>(grains()), en_wall = restitution<Linear>(at_wall());
@@ -58,6 +65,7 @@ MEW_W = 0.0
 )",
                                    shortest(law_of<Linear>(grains()).k()), shortest(law_of<Linear>(at_wall()).k()),
                                    shortest(*en), shortest(*en_wall))};
+    body.divided_time = own_collision_time(law_of<Linear>(grains()).k(), grains().impact.mass_eff, *en);
     end_otherwise(body, set, ContactEnd::overlap, attracts());
     return body;
   }
@@ -100,6 +108,7 @@ MEW_W = 0.0
                         fmt::arg("nu", shortest(set.kinds.front().poisson)),
                         fmt::arg("nu_wall", shortest(set.kinds.back().poisson)), fmt::arg("en", shortest(*en)),
                         fmt::arg("en_wall", shortest(*en_wall)))};
+    body.divided_time = own_collision_time(law_of<Tsuji>(grains()).k(), grains().impact.mass_eff, *en);
     end_otherwise(body, set, ContactEnd::overlap, attracts());
     return body;
   }

@@ -146,7 +146,8 @@ scale::Moduli Reader::moduli(const Bodies& bodies) const {
   const ElasticSolid second{positive("young2", asked_.young2.value_or(first.young)),
                             poisson("poisson2", asked_.poisson2.value_or(first.poisson))};
   const double soften = asked_.soften.value_or(1);
-  within("soften", soften, soften >= 1 && soften <= greatest_scale, ">= 1: the contact modulus is divided by it");
+  within("soften", soften, soften >= 1 && soften <= greatest_scale,
+         "in [1, 1e30]: the contact modulus is divided by it");
   if (!bodies.radius_eff)
     refuse_with("mass_eff", asked_.mass_eff,
                 fmt::format("{}, which wants {} and {} instead", named("young"), named("radius"), named("density")));
@@ -154,10 +155,17 @@ scale::Moduli Reader::moduli(const Bodies& bodies) const {
 }
 
 scale::MaxOverlap Reader::max_overlap(const Bodies& bodies) const {
-  if (asked_.max_overlap) return {positive("max_overlap", *asked_.max_overlap)};
+  if (asked_.max_overlap) {
+    const double length = positive("max_overlap", *asked_.max_overlap);
+    if (bodies.smaller_radius)
+      within("max_overlap", length, length < *bodies.smaller_radius,
+             fmt::format("below {} m, the radius of the smaller sphere{}", shortest(*bodies.smaller_radius),
+                         bodies.from_radii ? "" : fmt::format(" that is assumed (give {})", named("radius"))));
+    return {length};
+  }
   const double share = *asked_.overlap_share;
   if (!(share > 0 && share < 1))
-    throw BadInput(named("max_overlap"), fmt::format("{}%", shortest(100 * share)), "between 0 and 100 %, or a length");
+    throw BadInput(named("max_overlap"), fmt::format("{}%", shortest(100 * share)), "in (0, 100) %, or a length");
   if (!bodies.smaller_radius)
     throw BadInput(named("max_overlap"), fmt::format("{}%", shortest(100 * share)),
                    fmt::format("a length with {}, or a percentage with {} and {}", named("mass_eff"), named("radius"),
@@ -169,7 +177,7 @@ scale::CollisionTime Reader::steps() const {
   if (!asked_.timestep) missing("timestep", fmt::format("a time step [s], > 0, with {}", named("steps")));
   if (!asked_.steps) missing("steps", fmt::format("the time steps of a collision, >= 1, with {}", named("timestep")));
   const double steps = *asked_.steps;
-  within("steps", steps, steps >= 1 && steps <= 1e9, "in [1, 1e9]");
+  within("steps", steps, steps >= 1 && steps <= 1e9 && steps == std::floor(steps), "a whole number in [1, 1e9]");
   // Rounded, so that 50 steps of 1e-6 s are 5e-05 s.
   return {*console::parse_number(console::significant(positive("timestep", *asked_.timestep) * steps, 15))};
 }
@@ -278,7 +286,36 @@ Reading read(const Asked& asked, Spelling spelling) {
   reading.bodies = reader.bodies();
   reading.known = {reader.scale(given, reading.bodies), loss, {velocity, reading.bodies.mass_eff}};
   if (asked.tcol) reading.stiffness = reader.held_stiffness();
+  if (given == Reader::ScaleGiven::stiffness) reading.spring = asked.spring;
   return reading;
+}
+
+std::pair<std::vector<double>, Spring> parse_stiffnesses(std::string_view text) {
+  for (const auto& [unit, spring] :
+       {std::pair(console::count_unit, Spring::any), {"kg/s^2", Spring::linear}, {hertzian_unit, Spring::hertzian}}) {
+    try {
+      return {console::parse_quantities(text, unit), spring};
+    } catch (const std::invalid_argument&) {  // then in another
+    }
+  }
+  throw std::invalid_argument(fmt::format("a finite number, plain or with a unit: {} (of a spring in overlap), {}",
+                                          console::unit_choices("kg/s^2"), console::unit_choices(hertzian_unit)));
+}
+
+bool fits(Spring spring, LawKind law) {
+  const int metre = law.parameters().front().dimension.metre;
+  return spring == Spring::any || metre == (spring == Spring::linear ? 0 : -2);
+}
+
+std::string stated(double stiffness, Spring spring) {
+  const std::string_view unit = spring == Spring::linear ? "kg/s^2" : spring == Spring::hertzian ? hertzian_unit : "";
+  return fmt::format("{}{}{}", shortest(stiffness), unit.empty() ? "" : " ", unit);
+}
+
+std::string spring_of(LawKind law) {
+  const Parameter& first = law.parameters().front();
+  return fmt::format("in {} (or plain), as the law {} has its {}", console::unit_choices(first.unit()), law.name(),
+                     first.name);
 }
 
 }  // namespace ricochet::calibration

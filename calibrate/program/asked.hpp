@@ -1,6 +1,7 @@
 #pragma once
 
 #include <calibrate/known.hpp>
+#include <console/quantity.hpp>
 
 #include <array>
 #include <optional>
@@ -10,6 +11,13 @@
 
 namespace ricochet::calibration {
 
+/// Of what spring a stiffness is by the unit that was stated with it.
+enum class Spring {
+  any,       ///< none was stated: the law's own
+  linear,    ///< kg/s², of kζ
+  hertzian,  ///< kg/(s² m^{1/2}), of kζ^{3/2}
+};
+
 /// What somebody says of a contact, by flags or in the row of a file: numbers in SI units, as far as they are given.
 struct Asked {
   std::optional<double> tcol, stiffness, young, poisson, young2, poisson2, soften, max_overlap, overlap_share, timestep,
@@ -18,6 +26,7 @@ struct Asked {
   std::optional<double> velocity, mass_eff, radius, diameter, density, radius2, diameter2, density2;
   bool wall = false;
   LinearMatch match = LinearMatch::time;
+  Spring spring = Spring::any;  ///< of `stiffness`
 };
 
 /// What a number of `Asked` is about; of `scale` and `loss` one is enough.
@@ -32,7 +41,14 @@ struct Field {
   bool curve = false;
   std::string_view meaning;
   std::string_view aliases = {};
+  bool share = true;  ///< where it has no unit: it may be a percentage
+
+  /// As console/quantity.hpp and console/csv.hpp take it.
+  constexpr std::string_view read_in() const { return unit.empty() && !share ? console::count_unit : unit; }
 };
+
+/// Another unit that a stiffness may have.
+inline constexpr std::string_view hertzian_unit = "kg/(s^2 m^(1/2))";
 
 /// All but `overlap_share`, which is max_overlap in percent.
 inline constexpr std::array fields{
@@ -40,14 +56,22 @@ inline constexpr std::array fields{
     Field{"stiffness", "kg/s^2", &Asked::stiffness, Topic::scale, true,
           "the law's stiffness, in its own unit; beside --tcol the k that the fractional law holds"},
     Field{"young", "Pa", &Asked::young, Topic::scale, true, "Young's modulus, with --poisson"},
-    Field{"poisson", "", &Asked::poisson, Topic::scale, false, "Poisson's ratio"},
+    Field{"poisson", "", &Asked::poisson, Topic::scale, false, "Poisson's ratio", {}, false},
     Field{"young2", "Pa", &Asked::young2, Topic::scale, false, "of the other body or the wall (default --young)"},
-    Field{"poisson2", "", &Asked::poisson2, Topic::scale, false, "of the other body or the wall (default --poisson)"},
-    Field{"soften", "", &Asked::soften, Topic::scale, true, "divide the contact modulus by this factor, >= 1"},
+    Field{"poisson2",
+          "",
+          &Asked::poisson2,
+          Topic::scale,
+          false,
+          "of the other body or the wall (default --poisson)",
+          {},
+          false},
+    Field{
+        "soften", "", &Asked::soften, Topic::scale, true, "divide the contact modulus by this factor, >= 1", {}, false},
     Field{"max_overlap", "m", &Asked::max_overlap, Topic::scale, true,
           "greatest overlap, a length or a percentage of the smaller radius"},
     Field{"timestep", "s", &Asked::timestep, Topic::scale, true, "time step of the engine, with --steps"},
-    Field{"steps", "", &Asked::steps, Topic::scale, true, "time steps that a collision shall have"},
+    Field{"steps", "", &Asked::steps, Topic::scale, true, "time steps that a collision shall have", {}, false},
     Field{"en", "", &Asked::en, Topic::loss, true, "restitution to reach, in (0, 1]", "e,e_n,cor,restitution"},
     Field{"loss_factor", "", &Asked::loss_factor, Topic::loss, true, "tan delta of the material (fractional)"},
     Field{"damping_ratio", "", &Asked::damping_ratio, Topic::loss, true,
@@ -84,6 +108,7 @@ struct Reading {
   Known known;
   Bodies bodies;
   std::optional<double> stiffness;       ///< beside tcol: the k that the fractional law holds
+  Spring spring = Spring::any;           ///< of the stiffness that is the scale
   std::vector<std::string> assumptions;  ///< in words
 };
 
@@ -95,6 +120,16 @@ double velocity_of(const Asked& asked, Spelling spelling, std::vector<std::strin
 /// One scale, one loss and the impact. Throws console::BadInput naming what is missing, contradicts itself or lies
 /// outside its domain, and what is accepted.
 Reading read(const Asked& asked, Spelling spelling);
+
+/// The numbers of a stiffness, one or a list, and of which spring they are. Throws std::invalid_argument saying what is
+/// accepted.
+std::pair<std::vector<double>, Spring> parse_stiffnesses(std::string_view text);
+/// Is it the spring of that law's stiffness?
+bool fits(Spring spring, LawKind law);
+/// "5000 kg/s^2": the number with the unit that was stated.
+std::string stated(double stiffness, Spring spring);
+/// "in kg/s^2, …, as the law linear has its k": what a stiffness of that law must be in.
+std::string spring_of(LawKind law);
 
 /// Are there numbers of that topic?
 bool speaks_of(const Asked& asked, Topic topic);

@@ -1,5 +1,7 @@
 #include "report.hpp"
 
+#include <console/number.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +32,31 @@ Cell parameter_cell(const AnyLaw& law, const Column& column) {
   return console::blank();
 }
 
-std::vector<Cell> row_of(const Calibration& r, bool given) {
+/// "timestep_1% [s]", …: what keeps e_n in every engine that runs the law so, which all step it alike.
+std::vector<Column> step_columns() {
+  std::vector<Column> all;
+  for (const double bound : step_bounds)
+    all.push_back({fmt::format("timestep_{}%", console::shortest(100 * bound)), "s"});
+  return all;
+}
+
+/// The least over the engines; nothing where one has none, or no engine runs the law.
+std::vector<Cell> step_cells(const std::vector<EngineStep>& steps) {
+  std::vector<Cell> cells;
+  for (const double bound : step_bounds) {
+    std::optional<double> least;
+    bool all = true;
+    for (const EngineStep& s : steps) {
+      if (s.error_en != bound) continue;
+      all = all && s.step;
+      if (s.step) least = std::min(least.value_or(*s.step), *s.step);
+    }
+    cells.push_back(all && least ? Cell(*least) : console::blank());
+  }
+  return cells;
+}
+
+std::vector<Cell> row_of(const Calibration& r, bool given, StepAdvisor& advisor) {
   const std::string remarks = r.remarks.empty() ? "" : fmt::format("; {}", fmt::join(r.remarks, "; "));
   std::vector<Cell> row{std::string(name(r.law)), std::string(text(r.end)), (given ? "given" : "calibrated") + remarks};
   for (const auto& column : parameter_columns()) row.push_back(parameter_cell(r.law, column));
@@ -40,12 +66,18 @@ std::vector<Cell> row_of(const Calibration& r, bool given) {
                          r.tcol_estimate ? Cell(*r.tcol_estimate) : console::blank(),
                          searched(static_cast<std::int64_t>(r.evaluations)), searched(std::string(text(r.method))),
                          searched(r.algorithm), searched(r.cross_difference)});
+  for (const Cell& cell : step_cells(steps_of(r, advisor))) row.push_back(cell);
   return row;
 }
 
 }  // namespace
 
 console::Table csv_of(const Report& report) {
+  StepAdvisor advisor;
+  return csv_of(report, advisor);
+}
+
+console::Table csv_of(const Report& report, StepAdvisor& advisor) {
   std::vector<Column> columns{{"law"}, {"end"}, {"status"}};
   columns.insert(columns.end(), parameter_columns().begin(), parameter_columns().end());
   columns.insert(columns.end(), {{"tcol", "s"},
@@ -60,8 +92,9 @@ console::Table csv_of(const Report& report) {
                                  {"method"},
                                  {"algorithm"},
                                  {"cross_check_difference"}});
+  for (const Column& column : step_columns()) columns.push_back(column);
   console::Table table(columns);
-  for (const auto& result : report.results) table.row(row_of(result, report.job.given.has_value()));
+  for (const auto& result : report.results) table.row(row_of(result, report.job.given.has_value(), advisor));
   const auto without_result = [&](LawKind law, ContactEnd end, const std::string& status) {
     std::vector<Cell> row(columns.size(), console::blank());
     row[0] = std::string(law.name());
@@ -70,7 +103,7 @@ console::Table csv_of(const Report& report) {
     table.row(row);
   };
   for (const auto& missed : report.infeasible)
-    without_result(missed.law, missed.end, "infeasible: " + explained(missed));
+    without_result(missed.law, missed.end, "infeasible: " + explained(missed, Spelling::flags));
   for (const auto& failure : report.failed) without_result(failure.law, failure.end, "failed: " + failure.reason);
   return table;
 }

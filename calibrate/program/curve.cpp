@@ -18,10 +18,24 @@ constexpr Notation nine{Notation::Kind::significant, 9};
 
 std::string name_of(const Curve& curve) { return std::string(curve.field->name); }
 
-/// A percentage of the radius is given as a share.
-Column column_of(const Curve& curve) {
-  const bool share = curve.member == &Asked::overlap_share;
-  return {share ? name_of(curve) + "/radius" : name_of(curve), share ? "" : std::string(curve.field->unit), nine};
+/// A percentage of the radius is given as a share. A stiffness is in the unit of each law, `own`, or in one that was
+/// stated.
+Column column_of(const CurveReport& report, const std::string& own) {
+  const Curve& curve = *report.curve;
+  if (curve.member == &Asked::overlap_share) return {name_of(curve) + "/radius", "", nine};
+  return {name_of(curve), curve.member == &Asked::stiffness ? own : std::string(curve.field->unit), nine};
+}
+
+/// The unit of stiffnesses that all laws share; "" where each has its own.
+std::string shared_unit(const CurveReport& report) {
+  const Job& job = report.reports.front().job;
+  if (job.stiffness || job.spring == Spring::linear) return "kg/s^2";
+  return job.spring == Spring::hertzian ? std::string(hertzian_unit) : "";
+}
+
+Column column_of(const CurveReport& report) { return column_of(report, shared_unit(report)); }
+Column column_of(const CurveReport& report, LawKind law) {
+  return column_of(report, report.reports.front().job.stiffness ? "kg/s^2" : law.parameters().front().unit());
 }
 
 /// A law and end whose rows stand together: under --with and a list of --alpha the same law, of other parameters.
@@ -42,7 +56,7 @@ std::vector<Group> groups_of(const CurveReport& report) {
 }
 
 std::vector<Column> columns_of(const CurveReport& report, const Group& group) {
-  std::vector<Column> columns{column_of(*report.curve), {"tcol", "s", nine}};
+  std::vector<Column> columns{column_of(report, group.law), {"tcol", "s", nine}};
   if (columns.front().name == "tcol") columns.pop_back();
   if (columns.front().name != "en") columns.push_back({"en", "", nine});
   for (const Parameter& p : group.law.parameters())
@@ -87,7 +101,8 @@ Table table_of(const CurveReport& report, const Group& group) {
     table.row(row);
     for (const Infeasible& missed : one.infeasible)
       if (missed.law == group.law && missed.end == group.end)
-        table.note(fmt::format("{} = {}: {}", name_of(*report.curve), console::shortest(value), explained(missed)));
+        table.note(fmt::format("{} = {}: {}", name_of(*report.curve), console::shortest(value),
+                               explained(missed, Spelling::flags)));
     for (const Failure& failure : one.failed)
       if (failure.law == group.law && failure.end == group.end)
         table.note(fmt::format("{} = {}: {}", name_of(*report.curve), console::shortest(value), failure.reason));
@@ -106,13 +121,14 @@ std::vector<Table> tables_of(const CurveReport& report) {
 
 /// The rows of all values, each with its value before it.
 std::string csv_of(const CurveReport& report) {
-  std::vector<Column> columns{column_of(*report.curve)};
+  std::vector<Column> columns{column_of(report)};
   if (columns.front().name != "max_overlap/radius") columns.front().name = "asked " + columns.front().name;
-  const Table first = csv_of(report.reports.front());
+  StepAdvisor advisor;
+  const Table first = csv_of(report.reports.front(), advisor);
   columns.insert(columns.end(), first.columns().begin(), first.columns().end());
   Table table(columns);
   for (std::size_t i = 0; i < report.reports.size(); ++i) {
-    const Table rows = csv_of(report.reports[i]);
+    const Table rows = csv_of(report.reports[i], advisor);
     for (const auto& cells : rows.rows()) {
       std::vector<Cell> row{report.curve->values[i]};
       row.insert(row.end(), cells.begin(), cells.end());
@@ -123,13 +139,13 @@ std::string csv_of(const CurveReport& report) {
 }
 
 std::string json_of(const CurveReport& report) {
-  console::Json out{{"schema", "ricochet/calibrations/1"}, {"varied", column_of(*report.curve).name}};
+  console::Json out{{"schema", "ricochet/calibrations/1"}, {"varied", column_of(report).name}};
   out["values"] = report.curve->values;
   out["units"] = console::Json::object();
-  if (const auto unit = column_of(*report.curve).unit; !unit.empty())
-    out["units"][column_of(*report.curve).name] = unit;
+  if (const auto unit = column_of(report).unit; !unit.empty()) out["units"][column_of(report).name] = unit;
   out["calibrations"] = console::Json::array();
-  for (const Report& one : report.reports) out["calibrations"].push_back(document_of(one));
+  StepAdvisor advisor;
+  for (const Report& one : report.reports) out["calibrations"].push_back(document_of(one, advisor));
   return console::document(out);
 }
 

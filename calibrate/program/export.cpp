@@ -58,8 +58,11 @@ std::optional<ContactSet> contacts_of(const Report& report, const Calibration& f
   const Target& theirs = grains->request.target;
   set.pairs.push_back({0, 0, grains->law, theirs.tcol, theirs.en, theirs.impact, 0.5 * *asked.radius_eff});
   set.notes.push_back(
-      "Not asked for, but every engine wants it: two such grains meet by the same law, found the same way at their own "
-      "effective mass.");
+      job.given
+          ? "Not asked for, but every engine wants it: two such grains meet by this very law, whose numbers give "
+            "another collision time and restitution at their own effective mass."
+          : "Not asked for, but every engine wants it: two such grains meet by the same law, found the same way at "
+            "their own effective mass.");
   return set;
 }
 

@@ -203,7 +203,7 @@ std::vector<Table> run_tables(const FitReport& report) {
   std::vector<Table> tables = law_tables(*report.run);
   Table out({{"law"}, {"end"}, {"why"}}, "What no run takes");
   for (const Infeasible& missed : report.run->infeasible)
-    out.row({std::string(missed.law.name()), std::string(text(missed.end)), explained(missed)});
+    out.row({std::string(missed.law.name()), std::string(text(missed.end)), explained(missed, Spelling::flags)});
   if (!out.rows().empty()) tables.push_back(out);
   return tables;
 }
@@ -260,7 +260,7 @@ Measurement bodies_of(const Options& options, FitReport& report) {
   const Measurement& first = report.data.front();
   if (first.mass_eff > 0) {
     for (const std::string flag : {"--mass-eff", "--radius", "--diameter", "--radius2", "--diameter2", "--density2"})
-      if (std::find(options.given.begin(), options.given.end(), flag) != options.given.end())
+      if (was_given(options, flag))
         throw BadInput(fmt::format("{}: must be left out with a file whose rows have masses or radii", flag));
     report.notes.push_back(fmt::format("parameters are told for the bodies of line {}, effective mass {} kg",
                                        first.line, console::significant(first.mass_eff, 6)));

@@ -71,9 +71,21 @@ bool takes_loss(Job& job, const Options& o, LawKind law) {
   return false;
 }
 
+/// A stiffness whose unit was stated is one of a spring in ζ or in ζ^{3/2}.
+bool takes_stiffness(Job& job, const Options& o, LawKind law) {
+  if (fits(job.spring, law)) return true;
+  const auto* own = std::get_if<scale::Stiffness>(&job.known.scale);
+  if (alone(o)) throw BadInput("--stiffness", stated(own->k, job.spring), spring_of(law));
+  for (const auto end : ends_of(o, law))
+    job.left_out.push_back(
+        left_out(law, end, fmt::format("--stiffness = {}: must be {}", stated(own->k, job.spring), spring_of(law))));
+  return false;
+}
+
 void take(Job& job, const Reading& reading, bool wall) {
   job.known = reading.known;
   job.stiffness = reading.stiffness;
+  job.spring = reading.spring;
   job.assumptions = reading.assumptions;
   job.radius_eff = reading.bodies.radius_eff;
   job.density = reading.bodies.density;
@@ -133,9 +145,9 @@ Job forward_job(const Options& o) {
       for (const Field& f : fields)
         if (f.topic == topic && (asked.*f.member || (f.member == &Asked::max_overlap && asked.overlap_share)))
           throw BadInput(fmt::format("{}: must be left out with --with", spelled(Spelling::flags, f.name)));
+  if (was_given(o, "--match")) throw BadInput("--match: must be left out with --with");
   for (const std::string flag : {"--method", "--algorithm", "--tolerance"})
-    if (std::find(o.given.begin(), o.given.end(), flag) != o.given.end())
-      throw BadInput(fmt::format("{}: must be left out with --with: nothing is searched", flag));
+    if (was_given(o, flag)) throw BadInput(fmt::format("{}: must be left out with --with: nothing is searched", flag));
   Reading reading{};
   const double velocity = velocity_of(asked, Spelling::flags, reading.assumptions);
   reading.bodies = bodies_of(asked, Spelling::flags, reading.assumptions);
@@ -185,6 +197,18 @@ std::vector<std::string> flags_of(std::initializer_list<Topic> topics, std::vect
   return others;
 }
 
+bool was_given(const Options& options, std::string_view flag) {
+  return std::find(options.given.begin(), options.given.end(), flag) != options.given.end();
+}
+
+void require_match_to_matter(const Options& o, const Scale& scale) {
+  if (!was_given(o, "--match")) return;
+  if (!std::holds_alternative<scale::Moduli>(scale))
+    throw BadInput("--match: must be left out without --young and --poisson");
+  if (alone(o) && !fits(Spring::linear, law_named("--law", o.law)))
+    throw BadInput(fmt::format("--match: must be left out with --law {}, whose k is that of the moduli", o.law));
+}
+
 void take_only(const Options& options, std::string_view mode, const std::vector<std::string>& accepted) {
   for (const std::string& name : options.given)
     if (std::find(accepted.begin(), accepted.end(), name) == accepted.end())
@@ -205,11 +229,14 @@ Job job_of(const Options& o) {
   if (!o.with.empty()) return forward_job(o);
   Job job;
   take(job, read(o.asked, Spelling::flags), o.asked.wall);
+  require_match_to_matter(o, job.known.scale);
+  if (job.stiffness && !fits(o.asked.spring, kind_of<Linear>))
+    throw BadInput("--stiffness", stated(*job.stiffness, o.asked.spring), spring_of(kind_of<Fractional>));
   if (job.stiffness && alone(o) && o.law != kind_of<Fractional>.name())
     throw BadInput("--stiffness", shortest(*job.stiffness),
                    fmt::format("left out with --law {}; only fractional holds a k", o.law));
   for (const auto law : laws_of(o))
-    if (takes_loss(job, o, law)) add_wanted(job, o, law);
+    if (takes_loss(job, o, law) && takes_stiffness(job, o, law)) add_wanted(job, o, law);
   const bool holds = !job.stiffness && !stiffness(kind_of<Fractional>, job.known.scale, job.known.impact);
   if (holds &&
       std::any_of(job.wanted.begin(), job.wanted.end(), [](const Wanted& w) { return w.law == kind_of<Fractional>; }))

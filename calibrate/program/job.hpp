@@ -49,6 +49,8 @@ void add_options(CLI::App& app, Options& options);
 
 /// Throws console::BadInput naming the first option that was typed and is none of `accepted`, which go with `mode`.
 void take_only(const Options& options, std::string_view mode, const std::vector<std::string>& accepted);
+/// Was that option typed, "--match"?
+bool was_given(const Options& options, std::string_view flag);
 /// The flags of a topic, "--velocity", "--mass-eff", …, and `others`.
 std::vector<std::string> flags_of(std::initializer_list<Topic> topics, std::vector<std::string> others);
 
@@ -63,8 +65,9 @@ struct Job {
   Known known;                       ///< scale and loss: of a calibration; the impact: always
   std::optional<AnyLaw> given = {};  ///< the law of --with, whose collision alone is asked for
   std::optional<double> stiffness;   ///< beside a collision time: the k that the fractional law holds
+  Spring spring = Spring::any;       ///< of the stiffness that is the scale
   std::vector<Wanted> wanted;
-  std::vector<Infeasible> left_out;  ///< laws of "all" that do not offer the asked end or loss
+  std::vector<Infeasible> left_out;  ///< laws of "all" that do not offer the asked end, loss or stiffness
   std::vector<std::string> assumptions;
   std::optional<double> radius_eff, density;  ///< where they are known: r₁r₂/(r₁+r₂) [m], of both spheres [kg/m³]
   std::optional<double> radius;               ///< of the smaller sphere, where radii were given [m]
@@ -74,6 +77,10 @@ struct Job {
 
 /// Throws console::BadInput naming flag, value and what is accepted.
 Job job_of(const Options& options);
+
+/// Throws console::BadInput where --match was typed and nothing follows it: no moduli, or a single law whose k is
+/// Hertz's own.
+void require_match_to_matter(const Options& options, const Scale& scale);
 
 /// "tcol = 1e-04 s, en = 0.5", or what else was asked for, or of which law.
 std::string asked_text(const Job& job);

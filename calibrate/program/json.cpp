@@ -90,12 +90,19 @@ Json json_of(const std::vector<EngineStep>& steps) {
 Json json_of(const Infeasible& missed) {
   Json reachable = Json::object();
   if (!missed.quantity.empty()) reachable[missed.quantity] = {missed.lowest, missed.highest};
-  return {{"law", missed.law.name()}, {"end", text(missed.end)}, {"reason", missed.reason}, {"reachable", reachable}};
+  Json out{{"law", missed.law.name()}, {"end", text(missed.end)}, {"reason", missed.reason}, {"reachable", reachable}};
+  if (missed.open) out["excluded"] = {{missed.quantity, missed.highest}};
+  return out;
 }
 
 }  // namespace
 
 Json document_of(const Report& report) {
+  StepAdvisor advisor;
+  return document_of(report, advisor);
+}
+
+Json document_of(const Report& report, StepAdvisor& advisor) {
   Json out;
   out["schema"] = "ricochet/calibration/1";
   out["target"] = target_of(report.job);
@@ -108,7 +115,7 @@ Json document_of(const Report& report) {
   out["results"] = Json::array();
   for (const Calibration& r : report.results) {
     Json result = json_of(r, report.job.given.has_value());
-    result["timestep"] = json_of(steps_of(r));
+    result["timestep"] = json_of(steps_of(r, advisor));
     if (const auto time = hertz_time_of(r.law, report.job.known.impact)) result["hertz_time"] = *time;
     out["results"].push_back(result);
   }

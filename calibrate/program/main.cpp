@@ -22,7 +22,9 @@ using namespace ricochet::calibration;
 namespace {
 
 std::string lone_failure(const Infeasible& missed) {
-  return fmt::format("--law {} --end {}: {}", missed.law.name(), text(missed.end), explained(missed));
+  const std::string law = fmt::format("--law {} --end {}", missed.law.name(), text(missed.end));
+  return missed.quantity.empty() ? fmt::format("{}: {}", law, missed.reason)
+                                 : explained(missed, Spelling::flags, " with " + law);
 }
 
 /// What no law reaches is an error; where other laws did reach it, that answers the question.

@@ -29,6 +29,7 @@ struct Answer {
   std::vector<PairResult> found;
   std::vector<PairMissed> missed;
   std::vector<EngineStep> steps;
+  std::vector<SizeChoice> choices = {};  ///< where there are ranges of radii and all pairs are found
 
   /// As engines keep the numbers; the one that runs the fractional law keeps its target.
   std::vector<SizedContact> sizes(const PairResult& pair) const {
@@ -46,6 +47,10 @@ std::vector<PairOutcome> outcomes_of(const std::string& file, const Materials& m
   }
 }
 
+bool any_sizes(const Materials& materials) {
+  return std::any_of(materials.all.begin(), materials.all.end(), [](const Material& m) { return !m.one_size(); });
+}
+
 Answer answer(const std::string& file, Materials materials) {
   Answer all{std::move(materials), {}, {}, {}};
   for (const PairOutcome& outcome : outcomes_of(file, all.materials)) {
@@ -53,6 +58,7 @@ Answer answer(const std::string& file, Materials materials) {
     if (const auto* missed = std::get_if<PairMissed>(&outcome)) all.missed.push_back(*missed);
   }
   all.steps = engine_steps(all.materials, all.found);
+  if (any_sizes(all.materials) && all.missed.empty()) all.choices = size_choices(all.materials, all.found);
   return all;
 }
 
@@ -117,7 +123,10 @@ Table size_table(const Answer& all) {
 
 Table choice_table(const Answer& all) {
   Table table({{"engine"}, {"how"}, {"written by --export"}}, "What keeps en at every size");
-  for (const SizeChoice& c : size_choices(all.materials.law)) table.row({c.engine, c.how, c.written});
+  for (const SizeChoice& c : all.choices) {
+    table.row({c.engine, c.how, c.written});
+    if (!c.refusal.empty()) table.note(fmt::format("{}: not written here: {}", c.engine, c.refusal));
+  }
   if (table.rows().empty()) table.note("nothing: under this law en depends on size and velocity");
   return table;
 }
@@ -148,19 +157,15 @@ Table steps_table(const Answer& all) {
 
 Table missed_table(const Answer& all) {
   Table table({{"pair"}, {"why"}}, "Out of reach");
-  for (const PairMissed& m : all.missed) table.row({all.between(m.asked), explained(m.why)});
+  for (const PairMissed& m : all.missed) table.row({all.between(m.asked), explained(m.why, Spelling::columns)});
   return table;
-}
-
-bool any_sizes(const Answer& all) {
-  return std::any_of(all.materials.all.begin(), all.materials.all.end(),
-                     [](const Material& m) { return !m.one_size(); });
 }
 
 std::vector<Table> tables_of(const Answer& all) {
   std::vector<Table> tables;
   if (!all.found.empty()) tables.push_back(pair_table(all));
-  if (any_sizes(all)) tables.insert(tables.end(), {size_table(all), choice_table(all)});
+  if (any_sizes(all.materials)) tables.push_back(size_table(all));
+  if (any_sizes(all.materials) && all.missed.empty()) tables.push_back(choice_table(all));
   if (!all.found.empty()) tables.push_back(steps_table(all));
   if (!all.missed.empty()) tables.push_back(missed_table(all));
   return tables;
@@ -216,15 +221,17 @@ std::string document_of(const Answer& all) {
     json["timestep"].push_back(
         {{"engine", s.engine}, {"error_en", s.error_en}, {"step", s.step ? Json(*s.step) : Json()}});
   if (const auto time = rayleigh(all.materials)) json["rayleigh_time"] = *time;
-  if (any_sizes(all)) {
+  if (any_sizes(all.materials)) {
     json["keeps_en"] = Json::array();
-    for (const SizeChoice& c : size_choices(all.materials.law))
+    for (const SizeChoice& c : all.choices) {
       json["keeps_en"].push_back({{"engine", c.engine}, {"how", c.how}, {"written", c.written}});
+      if (!c.refusal.empty()) json["keeps_en"].back()["refusal"] = c.refusal;
+    }
   }
   json["infeasible"] = Json::array();
   for (const PairMissed& m : all.missed)
     json["infeasible"].push_back(
-        {{"between", {all.name(m.asked.a), all.name(m.asked.b)}}, {"reason", explained(m.why)}});
+        {{"between", {all.name(m.asked.a), all.name(m.asked.b)}}, {"reason", explained(m.why, Spelling::columns)}});
   return console::document(json);
 }
 
@@ -252,8 +259,8 @@ console::Exit run_materials(const Options& options) {
   }
   output.commit();
   if (!all.missed.empty())
-    throw console::Unreachable(
-        fmt::format("pair {}: {}", all.between(all.missed.front().asked), explained(all.missed.front().why)));
+    throw console::Unreachable(fmt::format("pair {}: {}", all.between(all.missed.front().asked),
+                                           explained(all.missed.front().why, Spelling::columns)));
   return console::Exit::done;
 }
 

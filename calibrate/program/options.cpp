@@ -37,18 +37,30 @@ void take_values(Options& o, const Field& field, std::optional<double> Asked::*m
   o.curve = Curve{flag, &field, member, values};
 }
 
+/// The numbers of one flag to their place.
+void read_field(Options& o, const Field& field, const std::string& flag, const std::string& text) {
+  if (field.member == &Asked::stiffness) {
+    const auto [values, spring] = parse_stiffnesses(text);
+    o.asked.spring = spring;
+    take_values(o, field, field.member, flag, values);
+    return;
+  }
+  const bool share = field.member == &Asked::max_overlap && text.ends_with('%');
+  take_values(o, field, share ? &Asked::overlap_share : field.member, flag,
+              console::parse_quantities(text, share ? "" : field.read_in()));
+}
+
 void add_field(CLI::App& app, Options& o, const Field& field) {
   const std::string flag = spelled(Spelling::flags, field.name);
   const auto read = [&o, &field, flag](const std::string& text) {
-    const bool share = field.member == &Asked::max_overlap && text.ends_with('%');
     try {
-      take_values(o, field, share ? &Asked::overlap_share : field.member, flag,
-                  console::parse_quantities(text, share ? "" : field.unit));
+      read_field(o, field, flag, text);
     } catch (const std::invalid_argument& error) {
       throw CLI::ValidationError(fmt::format("{} = {}: must be {}", flag, text, error.what()));
     }
   };
-  const std::string unit = field.unit.empty() ? "" : fmt::format(" [{}]", field.unit);
+  const bool own = field.unit.empty() || field.member == &Asked::stiffness;
+  const std::string unit = own ? "" : fmt::format(" [{}]", field.unit);
   app.add_option_function<std::string>(flag, read, fmt::format("{}{}", field.meaning, unit))
       ->type_name(field.curve ? "NUMBER(S)" : "NUMBER");
 }

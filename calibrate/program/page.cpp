@@ -99,16 +99,16 @@ std::vector<Stepped> steppings(const Report& report) {
 }
 
 console::Figure step_figure(const std::vector<Stepped>& all) {
-  std::string csv = "law,steps,error of en\n";
+  console::SeriesFile file("steps.csv", "law,steps,error of en");
   console::Panel panel{.x = {.label = "time steps a collision, t_{col}/Δt", .log = true},
                        .y = {.label = "greatest relative error of e_n", .log = true, .format = "%g"},
                        .key = "outside right center"};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i) csv += "\n\n";
+    file.begin();
     for (const StepError& e : all[i].errors)
-      if (e.error > 0) csv += fmt::format("\"{}\",{},{}\n", all[i].title, e.steps, console::shortest(e.error));
-    panel.curves.push_back({.file = "steps.csv",
-                            .block = i,
+      if (e.error > 0) file.add(fmt::format("\"{}\",{},{}", all[i].title, e.steps, console::shortest(e.error)));
+    panel.curves.push_back({.file = file.name(),
+                            .rows = file.rows(i),
                             .what = "2:3",
                             .style = fmt::format("linespoints lt {} ps 0.7", i % 7 + 1),
                             .title = all[i].title});
@@ -117,7 +117,7 @@ console::Figure step_figure(const std::vector<Stepped>& all) {
       .name = "steps",
       .caption = "Greatest error of e_n against the number of time steps a collision, as engines step it.",
       .script = console::script_of({.panels = {panel}}),
-      .data = {{"steps.csv", csv}},
+      .data = {file.data()},
       .width = 960,
       .height = 460};
   const auto last = [](const Stepped& s) { return s.errors.back().steps; };

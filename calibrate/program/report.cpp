@@ -14,7 +14,27 @@ Outcome outcome_of(const Job& job, const Wanted& wanted, const Settings& setting
   if (const auto* missed = std::get_if<Infeasible>(&asked)) return *missed;
   Request request = std::get<Request>(asked);
   if (wanted.law == kind_of<Fractional> && job.stiffness) request.stiffness = job.stiffness;
-  return calibrate(request, settings);
+  const Outcome outcome = calibrate(request, settings);
+  if (const auto* missed = std::get_if<Infeasible>(&outcome)) return in_terms_of(*missed, job.known.loss);
+  return outcome;
+}
+
+/// The fewest digits, six or more, by which the end of a range is still reached and what was refused is not.
+std::string bound_text(double bound, double refused, bool upper, bool open) {
+  const auto tells = [&](double told) {
+    if (!(upper ? told <= bound : told >= bound)) return false;
+    const bool beyond = upper ? refused >= bound : refused <= bound;
+    return !beyond || (upper ? refused > told : refused < told) || (open && refused == told);
+  };
+  for (int digits = 6; digits < 17; ++digits)
+    if (const std::string text = console::significant(bound, digits); tells(*console::parse_number(text))) return text;
+  return console::shortest(bound);
+}
+
+std::string range_of(const Infeasible& missed) {
+  if (missed.lowest == missed.highest) return console::shortest(missed.lowest);
+  return fmt::format("in [{}, {}{}", bound_text(missed.lowest, missed.asked, false, false),
+                     bound_text(missed.highest, missed.asked, true, missed.open), missed.open ? ")" : "]");
 }
 
 }  // namespace
@@ -44,18 +64,15 @@ std::optional<double> rayleigh_of(const Job& job) {
   return rayleigh_time(*job.radius, *job.density, moduli->first.young / moduli->soften, moduli->first.poisson);
 }
 
-std::vector<EngineStep> steps_of(const Calibration& c) {
+std::vector<EngineStep> steps_of(const Calibration& c, StepAdvisor& advisor) {
   if (c.request.target.en > 1) return {};
-  return engine_steps(c.law, c.end, c.request.target);
+  return advisor(c.law, c.end, c.request.target);
 }
 
-std::string explained(const Infeasible& missed) {
+std::string explained(const Infeasible& missed, Spelling spelling, const std::string& under) {
   if (missed.quantity.empty()) return missed.reason;
-  using console::significant;
-  const std::string range = missed.lowest == missed.highest ? console::shortest(missed.lowest)
-                                                            : fmt::format("in [{}, {}]", significant(missed.lowest, 6),
-                                                                          significant(missed.highest, 6));
-  return fmt::format("{} = {}: must be {}: {}", missed.quantity, console::shortest(missed.asked), range, missed.reason);
+  return fmt::format("{} = {}: must be {}{}: {}", spelled(spelling, missed.quantity), console::shortest(missed.asked),
+                     range_of(missed), under, missed.reason);
 }
 
 std::string render(const Report& report, console::Format format) {

@@ -33,8 +33,8 @@ Report run(const Job& job, const Settings& settings);
 /// Rayleigh's time of the smaller sphere [s], where its moduli, density and radius are known.
 std::optional<double> rayleigh_of(const Job& job);
 
-/// "en = 0.01: must be in [0.2, 1]: <why>"
-std::string explained(const Infeasible& missed);
+/// "--en = 0.01: must be in [0.2, 1]<under>: <why>"
+std::string explained(const Infeasible& missed, Spelling spelling, const std::string& under = {});
 
 /// The laws found in the language of `engine`, as one file to include; comments alone where it has none of them.
 std::string exported(const Report& report, Engine engine);
@@ -45,7 +45,7 @@ std::string exported(const std::vector<Snippet>& snippets, Engine engine, consol
 std::string exported(const Report& report, const std::string& engine, console::Format format);
 
 /// The engines' time steps for it; none for a contact that gains energy (α < 0), which no engine runs.
-std::vector<EngineStep> steps_of(const Calibration& calibration);
+std::vector<EngineStep> steps_of(const Calibration& calibration, StepAdvisor& advisor);
 
 /// For people: parameters and collisions.
 std::vector<console::Table> law_tables(const Report& report);
@@ -53,8 +53,12 @@ std::vector<console::Table> law_tables(const Report& report);
 std::vector<console::Table> tables_of(const Report& report);
 /// For spreadsheets: one row a law and end.
 console::Table csv_of(const Report& report);
+/// The same of one of many.
+console::Table csv_of(const Report& report, StepAdvisor& advisor);
 /// "ricochet/calibration/1".
 console::Json document_of(const Report& report);
+/// The same of one of many.
+console::Json document_of(const Report& report, StepAdvisor& advisor);
 std::string json_of(const Report& report);
 
 /// The same and more as one page that loads nothing, `before` (HTML) ahead of it: curves, sensitivity, time steps,

@@ -70,6 +70,10 @@ Table collision_table(const Report& report) {
     table.row(row);
   }
   for (const auto& r : report.results) note_fractional(table, r);
+  for (const auto& r : report.results)
+    if (report.job.radius && r.achieved.max_overlap > *report.job.radius)
+      table.note(fmt::format("{}, ended by {}: goes deeper than the radius, which no grain can; take it stiffer",
+                             law_of(r), end_of(r)));
   return table;
 }
 
@@ -117,15 +121,16 @@ Table step_table(const Report& report) {
   const Notation three{Notation::Kind::significant, 3};
   std::vector<console::Column> columns{{"law"}, {"end"}, {"in"}};
   for (const double bound : step_bounds) {
-    columns.push_back({fmt::format("step for {} %", console::shortest(100 * bound)), "s", three});
+    columns.push_back({fmt::format("step, {} %", console::shortest(100 * bound)), "s", three});
     columns.push_back({"tcol/step"});
   }
   columns.push_back({"Hertz time", "s", three});
   Table table(columns, "Time step that keeps en in the engines, wherever in a step the first touch falls");
   bool missed = false;
+  StepAdvisor advisor;
   for (const Calibration& r : report.results) {
     const auto hertz = hertz_time_of(r.law, report.job.known.impact);
-    for (const Advised& a : advised(steps_of(r))) {
+    for (const Advised& a : advised(steps_of(r, advisor))) {
       std::vector<Cell> row{law_of(r), end_of(r), a.engines};
       for (const auto& step : a.step) {
         missed = missed || !step;
@@ -145,7 +150,7 @@ Table step_table(const Report& report) {
 Table infeasible_table(const Report& report) {
   Table table({{"law"}, {"end"}, {"why"}}, "Out of reach");
   for (const auto& missed : report.infeasible)
-    table.row({std::string(missed.law.name()), std::string(text(missed.end)), explained(missed)});
+    table.row({std::string(missed.law.name()), std::string(text(missed.end)), explained(missed, Spelling::flags)});
   return table;
 }
 

@@ -18,6 +18,13 @@ namespace {
 using console::BadInput;
 using support::append_shortest;
 
+/// The place of a number among `fields`.
+constexpr std::size_t place_of(std::optional<double> Asked::*member) {
+  std::size_t place = 0;
+  while (fields[place].member != member) ++place;
+  return place;
+}
+
 /// As RFC 4180 quotes it, where it needs to be.
 void append_text(std::string& out, std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
@@ -62,6 +69,7 @@ Asked with_defaults(const Asked& own, Asked defaults) {
     defaults.mass_eff = std::nullopt;
   for (const Field& f : fields)
     if (own.*f.member) defaults.*f.member = own.*f.member;
+  if (own.stiffness) defaults.spring = own.spring;
   if (own.overlap_share) defaults.overlap_share = own.overlap_share;
   return defaults;
 }
@@ -71,20 +79,21 @@ Asked with_defaults(const Asked& own, Asked defaults) {
 const std::array<console::CsvColumn, TargetRows::count> TargetRows::accepted = [] {
   std::array<console::CsvColumn, count> columns;
   for (std::size_t i = 0; i < fields.size(); ++i)
-    columns[i] = {.name = fields[i].name, .unit = fields[i].unit, .aliases = fields[i].aliases};
+    columns[i] = {.name = fields[i].name, .unit = fields[i].read_in(), .aliases = fields[i].aliases};
   columns[law].name = "law";
   columns[end].name = "end";
+  columns[hertzian] = {.name = "stiffness", .unit = hertzian_unit};
   return columns;
 }();
 
 TargetRows::TargetRows(std::string file, const console::CsvHead& head, const TargetDefaults& defaults,
-                       const DirectCalibrator& calibrator)
+                       const DirectCalibrator& calibrator, std::string_view first_rows)
     : file_(std::move(file)),
       defaults_(defaults),
-      columns_(file_, head, accepted, console::Unknown::ignored),
+      columns_(file_, head, accepted, console::Unknown::ignored, first_rows),
       calibrator_(calibrator) {
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    if (columns_.has(i)) numeric_.push_back(i);
+  for (std::size_t i = 0; i < count; ++i)
+    if (columns_.has(i) && i != law && i != end) numeric_.push_back(i);
   Asked but_velocity = defaults_.asked;
   but_velocity.velocity.reset();
   nothing_by_default_ = !defaults_.asked.wall && !speaks_of(but_velocity, Topic::scale) &&
@@ -107,8 +116,9 @@ TargetRows::TargetRows(std::string file, const console::CsvHead& head, const Tar
 /// A file that can't say what is wanted is told once, not row by row.
 void TargetRows::require_topics(std::size_t line) const {
   const auto known = [&](Topic topic) {
-    return speaks_of(defaults_.asked, topic) ||
-           std::any_of(numeric_.begin(), numeric_.end(), [&](std::size_t i) { return fields[i].topic == topic; });
+    return speaks_of(defaults_.asked, topic) || std::any_of(numeric_.begin(), numeric_.end(), [&](std::size_t i) {
+             return i == hertzian ? topic == Topic::scale : fields[i].topic == topic;
+           });
   };
   for (const auto& [topic, name, others] :
        {std::tuple(Topic::loss, "en", "loss_factor, damping_ratio, alpha"),
@@ -121,6 +131,23 @@ std::string TargetRows::header() const {
   return fmt::format("tcol [s],en,velocity [m/s],mass_eff [kg],law,end,status,{}\n", fmt::join(parameters_, ","));
 }
 
+/// Of which spring it is the head says, or the field itself.
+void TargetRows::stiffness(std::size_t column, std::string_view text, Asked& own) const {
+  const bool stated = columns_.states_unit(column);
+  own.spring = column == hertzian ? Spring::hertzian : stated ? Spring::linear : Spring::any;
+  own.stiffness = columns_.number(column, text);
+  if (own.stiffness) return;
+  if (!columns_.doubt(text).empty() || text.find_first_of(",:") != std::string_view::npos)
+    throw BadInput("stiffness", console::excerpt(text), fmt::format("a finite number{}", columns_.doubt(text)));
+  try {
+    const auto [values, spring] = parse_stiffnesses(text);
+    own.stiffness = values.front();
+    own.spring = spring;
+  } catch (const std::invalid_argument& error) {
+    throw BadInput("stiffness", console::excerpt(text), error.what());
+  }
+}
+
 /// A field with a unit of its own ("20us", "1%") says it whatever the head says.
 double TargetRows::number(std::size_t column, std::string_view text, Asked& own) const {
   const Field& field = fields[column];
@@ -129,41 +156,72 @@ double TargetRows::number(std::size_t column, std::string_view text, Asked& own)
     if (own.overlap_share) return *own.overlap_share;
   }
   auto value = columns_.number(column, text);
-  if (!value) value = console::parse_quantity(text, field.unit);
+  const auto doubt = columns_.doubt(text);
+  if (!value && doubt.empty()) value = console::parse_quantity(text, field.read_in());
   if (!value)
     throw BadInput(field.name, console::excerpt(text),
-                   field.member == &Asked::en ? "in (0, 1]" : "a number in [1e-30, 1e30]");
+                   fmt::format("{}{}", field.member == &Asked::en ? "in (0, 1]" : "a number in [1e-30, 1e30]", doubt));
   own.*field.member = value;
   return *value;
 }
 
 void TargetRows::numbers(const Row& row, Asked& own) const {
   for (const std::size_t column : numeric_)
-    if (!row.text[column].empty()) number(column, row.text[column], own);
+    if (const auto text = row.text[column]; !text.empty()) {
+      if (column == hertzian || fields[column].member == &Asked::stiffness)
+        stiffness(column, text, own);
+      else
+        number(column, text, own);
+    }
 }
 
-Asked TargetRows::asked_by(const Row& row) const {
+Asked TargetRows::asked_by(Row& row) const {
+  constexpr std::size_t velocity = place_of(&Asked::velocity);
   if (nothing_by_default_) {  // as of most files, whose rows are many
     Asked asked = defaults_.asked;
     numbers(row, asked);
+    if (row.text[velocity].empty()) row.taken |= bit(velocity);
     return asked;
   }
   Asked own;
   numbers(row, own);
-  return with_defaults(own, defaults_.asked);
+  const Asked asked = with_defaults(own, defaults_.asked);
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (asked.*fields[i].member && !(own.*fields[i].member)) row.taken |= bit(i);
+  if (asked.overlap_share && !own.overlap_share) row.taken |= bit(place_of(&Asked::max_overlap));
+  if (asked.wall) row.taken |= bit(wall);
+  return asked;
+}
+
+std::vector<std::string> TargetRows::idle(std::uint64_t taken, const std::vector<std::string>& given) {
+  std::vector<std::string> idle;
+  const auto look = [&](std::string_view name, std::size_t place) {
+    const std::string flag = spelled(Spelling::flags, name);
+    if (!(taken & bit(place)) && std::find(given.begin(), given.end(), flag) != given.end()) idle.push_back(flag);
+  };
+  for (std::size_t i = 0; i < fields.size(); ++i) look(fields[i].name, i);
+  for (const auto& [name, place] : {std::pair("law", law), {"end", end}, {"match", match}, {"wall", wall}})
+    look(name, place);
+  return idle;
 }
 
 std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
   row.asked = asked_by(row);
+  for (const std::size_t word : {law, end})
+    if (row.text[word].empty()) row.taken |= bit(word);
   std::vector<std::string> unsaid;
   row.mass_eff = bodies_of(*row.asked, Spelling::columns, unsaid).mass_eff;  // told also where the row fails
   const Reading reading = calibration::read(*row.asked, Spelling::columns);
   const LawKind kind = row.text[law].empty() ? defaults_.law : law_named("law", row.text[law]);
   const ContactEnd by = row.text[end].empty() ? defaults_.end : end_named("end", row.text[end]);
+  if (row.asked->young && fits(Spring::linear, kind)) row.taken |= bit(match);
   if (!kind.ends().offer(by)) throw BadInput("end", text(by), fmt::format("force with the law {}", kind.name()));
   if (reading.stiffness && !defaults_.asked.stiffness && kind != kind_of<Fractional>)
     throw BadInput("stiffness", console::shortest(*reading.stiffness),
                    fmt::format("left out with tcol and the law {}; only fractional holds a k", kind.name()));
+  if (!fits(reading.stiffness ? row.asked->spring : reading.spring,
+            reading.stiffness ? LawKind(kind_of<Fractional>) : kind))
+    throw BadInput("stiffness", stated(*row.asked->stiffness, row.asked->spring), spring_of(kind));
   if (!has_loss(kind, reading.known.loss))
     throw BadInput(fmt::format("{}: must be left out with the law {}; {} has one", name(reading.known.loss),
                                kind.name(), laws_with(reading.known.loss)));
@@ -172,7 +230,9 @@ std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
   row.request = std::get<Request>(request);
   if (reading.stiffness) row.request.stiffness = reading.stiffness;
   row.solved = true;
-  return calibrator_(row.request);
+  const auto answer = calibrator_(row.request);
+  if (const auto* missed = std::get_if<Infeasible>(&answer)) return in_terms_of(*missed, reading.known.loss);
+  return answer;
 }
 
 void TargetRows::write(std::string& out, const Row& row, std::string_view status, const AnyLaw* found) const {
@@ -225,12 +285,14 @@ Answers TargetRows::answer(const console::LineBlocks::Block& block) const {
     try {
       columns_.split(line, row.text);
       const auto answer = calibrated(row);
+      answers.taken |= row.taken;
       if (const auto* found = std::get_if<AnyLaw>(&answer)) {
         write(answers.text, row, "calibrated", found);
         continue;
       }
-      failure = fmt::format("infeasible: {}", explained(std::get<Infeasible>(answer)));
+      failure = fmt::format("infeasible: {}", explained(std::get<Infeasible>(answer), Spelling::columns));
     } catch (const std::exception& error) {
+      answers.taken |= row.taken;
       const bool bad = console::exit_code(error) == console::Exit::bad_input;
       failure = fmt::format("{}: {}", bad ? "bad input" : "failed", error.what());
     }

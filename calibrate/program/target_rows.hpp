@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct Answers {
   std::string text;                     ///< CSV rows
   std::vector<std::string> complaints;  ///< "file:line: en = 2: must be in (0, 1]", the first few
   std::size_t rows = 0, failed = 0;
+  std::uint64_t taken = 0;  ///< which defaults some row took, see TargetRows::idle
   std::exception_ptr broken = nullptr;
 };
 
@@ -30,16 +32,21 @@ class TargetRows {
 
   /// Throws console::BadInput naming file, line, the column and the accepted ones. `calibrator` must outlive the rows.
   TargetRows(std::string file, const console::CsvHead& head, const TargetDefaults& defaults,
-             const DirectCalibrator& calibrator);
+             const DirectCalibrator& calibrator, std::string_view first_rows = {});
 
   std::string header() const;
   Answers answer(const console::LineBlocks::Block& block) const;
   /// Headings that are no columns of targets, whose fields are not read.
   const std::vector<std::string>& ignored() const { return columns_.ignored(); }
+  /// Those of the given flags that no row took, where `taken` is what all answers took together: "--en".
+  static std::vector<std::string> idle(std::uint64_t taken, const std::vector<std::string>& given);
 
  private:
-  /// The columns: those of `fields`, and two words.
-  static constexpr std::size_t law = fields.size(), end = law + 1, count = end + 1;
+  /// The columns: those of `fields`, two words, and the stiffness in the other unit that it may have.
+  static constexpr std::size_t law = fields.size(), end = law + 1, hertzian = end + 1, count = hertzian + 1;
+  /// Defaults beside them, as bits of Answers::taken.
+  static constexpr std::size_t match = count, wall = match + 1;
+  static constexpr std::uint64_t bit(std::size_t what) { return std::uint64_t{1} << what; }
   static const std::array<console::CsvColumn, count> accepted;
 
   /// What a row says, as far as it could be read.
@@ -49,12 +56,14 @@ class TargetRows {
     std::optional<double> mass_eff;
     Request request;
     bool solved = false;
+    std::uint64_t taken = 0;  // of the defaults
   };
 
   void require_topics(std::size_t line) const;
   double number(std::size_t column, std::string_view text, Asked& own) const;
+  void stiffness(std::size_t column, std::string_view text, Asked& own) const;
   void numbers(const Row& row, Asked& own) const;
-  Asked asked_by(const Row& row) const;
+  Asked asked_by(Row& row) const;
   std::variant<AnyLaw, Infeasible> calibrated(Row& row) const;
   void write(std::string& out, const Row& row, std::string_view status, const AnyLaw* law) const;
 

@@ -68,8 +68,7 @@ void refuse_what_is_not_for_files(const Options& o) {
   if (o.method == "nlopt") throw BadInput("--method", o.method, "direct with --targets");
   if (o.end == "both") throw BadInput("--end", o.end, "overlap or force with --targets: one row out per row in");
   if (o.law == "all") throw BadInput("--law", o.law, "a single law with --targets: one row out per row in");
-  const bool format_given = std::find(o.given.begin(), o.given.end(), "--format") != o.given.end();
-  if (format_given && o.output.format != console::Format::csv)
+  if (was_given(o, "--format") && o.output.format != console::Format::csv)
     throw BadInput("--format: must be csv with --targets, whose rows are written as they are read");
 }
 
@@ -86,7 +85,7 @@ console::Exit run_targets(const Options& options) {
     throw BadInput(
         fmt::format("{}:1: header missing: must be a row of columns, a scale (tcol) and a loss (en)", options.targets));
   const DirectCalibrator calibrator;
-  const TargetRows rows(options.targets, *head, defaults, calibrator);
+  const TargetRows rows(options.targets, *head, defaults, calibrator, blocks[0].text);
   if (!rows.ignored().empty())
     console::complain("calibrate", fmt::format("{}:{}: columns that are not read: {}", options.targets, head->line,
                                                fmt::join(rows.ignored(), ", ")));
@@ -94,6 +93,8 @@ console::Exit run_targets(const Options& options) {
   output.write(rows.header());
   console::Progress progress("calibrate", source.size());
   Complaints complaints;
+  std::uint64_t taken = 0;
+  bool any = false;
   // Rounds of a few blocks a thread: reading and writing take a small share of the time that the rows do.
   const std::size_t round = std::size_t{4} * threads;
   for (bool more = true; more;) {
@@ -105,11 +106,16 @@ console::Exit run_targets(const Options& options) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       output.write(answers[i].text);
       complaints.add(answers[i]);
+      taken |= answers[i].taken;
+      any = any || answers[i].rows > 0;
       progress.advance(blocks[i].text.size());
     }
     blocks.clear();
   }
   output.commit();
+  if (const auto idle = TargetRows::idle(taken, options.given); any && !idle.empty())
+    console::complain("calibrate",
+                      fmt::format("{}: no row takes it: its columns or its law say otherwise", fmt::join(idle, ", ")));
   return complaints.finish() ? console::Exit::gate_failed : console::Exit::done;
 }
 

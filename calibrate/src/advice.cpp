@@ -107,14 +107,27 @@ struct Stepped {
   }
 };
 
-double located_error(const Fractional& law, const Target& target, int steps) {
-  constexpr int memory = 1000;  // steps, the engine's own choice
-  const double h = target.tcol / steps;
-  const liggghts::HalfStepContact contact(law.alpha(), h, memory * h);
-  return worst_error(target, [&](double lead) {
-    return located_restitution(contact, law.coefficient(), target.impact, h, lead, patience * steps);
-  });
-}
+/// liggghts-ricochet's contact in units of the step: its memory is a number of steps, so that the kernel, which takes
+/// most of the time here, is the same for all of them. With τ = t/h, D_t^α = h^{−α} D_τ^α, so that mζ'' = −C D^α ζ
+/// keeps its form under the coefficient C h^{2−α} and velocities v h.
+class Located {
+ public:
+  Located(const Fractional& law, const Target& target) : law_(law), target_(target), contact_(law.alpha(), 1, memory) {}
+
+  double error(int steps) const {
+    const double h = target_.tcol / steps, coefficient = law_.coefficient() * std::pow(h, 2 - law_.alpha());
+    const Impact impact{target_.impact.velocity * h, target_.impact.mass_eff};
+    return worst_error(target_, [&](double lead) {
+      return located_restitution(contact_, coefficient, impact, 1, lead, patience * steps);
+    });
+  }
+
+ private:
+  static constexpr int memory = 1000;  // steps, the engine's own choice
+  const Fractional& law_;
+  const Target& target_;
+  liggghts::HalfStepContact contact_;
+};
 
 void add_steps(std::vector<EngineStep>& all, std::string_view engine, const std::vector<StepError>& errors,
                double tcol) {
@@ -151,14 +164,15 @@ std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Targ
     throw std::invalid_argument("liggghts-ricochet locates contacts of the fractional law that end by force");
   constexpr auto decade = std::to_array({10, 12, 15, 20, 25, 30, 40, 50, 60, 80});
   constexpr double enough = *std::min_element(std::begin(step_bounds), std::end(step_bounds));
+  std::optional<Located> contact;
+  if (located) contact.emplace(*fractional, target);
   std::vector<StepError> all;
   int within = 0;
   for (int tenths = 1; tenths <= 10000; tenths *= 10)
     for (const int digit : decade) {
       const int steps = tenths * digit / 10;
       if (steps < 5 || steps > 20000 || tenths * digit % 10 != 0) continue;
-      const double error =
-          located ? located_error(*fractional, target, steps) : std::visit(Stepped{end, target, steps}, law);
+      const double error = contact ? contact->error(steps) : std::visit(Stepped{end, target, steps}, law);
       all.push_back({steps, error});
       within = error <= enough ? within + 1 : 0;
       if (within == 3) return all;
@@ -183,7 +197,20 @@ std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Ta
   const ExportCase what{
       .law = law, .end = end, .tcol = target.tcol, .en = target.en, .impact = target.impact, .radius_eff = 1};
   for (const Engine engine : engines())
-    if (engine != Engine::mfix && runs(engine, what)) add_steps(all, text(engine), errors, target.tcol);
+    if (runs(engine, what)) add_steps(all, text(engine), errors, target.tcol);
+  return all;
+}
+
+std::vector<EngineStep> StepAdvisor::operator()(const AnyLaw& law, ContactEnd end, const Target& target) {
+  const auto [known, fresh] = known_.try_emplace({law.index(), end, target.en});
+  if (fresh) {
+    known->second = engine_steps(law, end, target);
+    for (EngineStep& s : known->second)
+      if (s.step) s.step = std::round(target.tcol / *s.step);
+  }
+  std::vector<EngineStep> all = known->second;
+  for (EngineStep& s : all)
+    if (s.step) s.step = target.tcol / *s.step;
   return all;
 }
 

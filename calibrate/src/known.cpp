@@ -2,6 +2,8 @@
 
 #include "reach.hpp"
 
+#include <ricochet/collision/damping_ratio.hpp>
+#include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/support/require.hpp>
 #include <ricochet/support/text.hpp>
 
@@ -24,18 +26,42 @@ double value_of(const Loss& loss) {
   return std::visit(Value{}, loss);
 }
 
+/// The measure of loss that comes to this e_n.
+double measure_of(const Loss& loss, double en, ContactEnd end) {
+  struct Measure {
+    double en;
+    ContactEnd end;
+    double operator()(const loss::Restitution&) const { return en; }
+    double operator()(const loss::LossFactor&) const {
+      return std::tan(std::numbers::pi / 2 * conversion_degree(en, end));
+    }
+    double operator()(const loss::DampingRatio&) const { return damping_of_restitution(en, end); }
+    double operator()(const loss::ConversionDegree&) const { return conversion_degree(en, end); }
+  };
+  return std::visit(Measure{en, end}, loss);
+}
+
+/// To six digits, downwards: what is told of a range can be reached.
+double rounded_down(double x) {
+  const double unit = std::pow(10, 5 - std::floor(std::log10(x)));
+  return std::isfinite(unit) ? std::floor(x * unit) / unit : x;
+}
+
 /// The loss is more than the law can have and yet end so, or leaves no number of the velocity.
-Infeasible lost(LawKind law, ContactEnd end, const Loss& loss) {
-  const double limit = loss_limit(law, end, loss);
-  const bool returns = value_of(loss) < limit;
+Infeasible lost(LawKind law, ContactEnd end, const Known& known) {
+  const double limit = loss_limit(law, end, known.loss);
+  if (value_of(known.loss) < limit) {
+    constexpr double least = 1e-300;
+    return in_terms_of(out_of_reach({law, end, {1, least, known.impact}}, Settings{}.tolerance), known.loss);
+  }
   return {.law = law,
           .end = end,
-          .reason = returns ? "so little of the velocity is left that no double carries the law"
-                            : "from there on the overlap never returns to zero",
-          .quantity = std::isfinite(limit) ? std::string(name(loss)) : "",
-          .asked = value_of(loss),
+          .reason = "from there on the overlap never returns to zero",
+          .quantity = std::string(name(known.loss)),
+          .asked = value_of(known.loss),
           .lowest = 0,
-          .highest = std::isfinite(limit) ? limit : 0};
+          .highest = limit,
+          .open = true};
 }
 
 double value_of(const Scale& scale) {
@@ -58,9 +84,9 @@ void require_time(const Scale& scale, double tcol) {
 std::variant<Request, Infeasible> request_with(LawKind law, ContactEnd end, const Known& known,
                                                const UnitLaws& unit_laws) {
   const auto en = restitution(law, end, known.loss);
-  if (!en) return lost(law, end, known.loss);
+  if (!en) return lost(law, end, known);
   const auto tcol = collision_time(law, end, known.scale, *en, known.impact, unit_laws);
-  if (!tcol) return out_of_reach({law, end, {1, *en, known.impact}}, Settings{}.tolerance);
+  if (!tcol) return in_terms_of(out_of_reach({law, end, {1, *en, known.impact}}, Settings{}.tolerance), known.loss);
   require_time(known.scale, *tcol);
   Request request{law, end, {*tcol, *en, known.impact}};
   if (law == kind_of<Fractional>) request.stiffness = stiffness(law, known.scale, known.impact);
@@ -84,6 +110,15 @@ std::string_view name(const Loss& loss) noexcept {
   return names[loss.index()];
 }
 
+Infeasible in_terms_of(Infeasible missed, const Loss& loss) {
+  if (missed.quantity != "en" || std::holds_alternative<loss::Restitution>(loss)) return missed;
+  missed.quantity = name(loss);
+  missed.asked = value_of(loss);
+  missed.highest = rounded_down(measure_of(loss, missed.lowest, missed.end));
+  missed.lowest = 0;
+  return missed;
+}
+
 std::variant<Request, Infeasible> request_of(LawKind law, ContactEnd end, const Known& known) {
   return request_with(law, end, known, [](LawKind kind, double en, ContactEnd by) {
     const auto unit = unit_law(kind, en, by);
@@ -103,7 +138,9 @@ std::variant<Request, Infeasible> request_of(LawKind law, ContactEnd end, const 
 Outcome calibrate(LawKind law, ContactEnd end, const Known& known, const Settings& settings) {
   const auto request = request_of(law, end, known);
   if (const auto* missed = std::get_if<Infeasible>(&request)) return *missed;
-  return calibrate(std::get<Request>(request), settings);
+  const Outcome outcome = calibrate(std::get<Request>(request), settings);
+  if (const auto* missed = std::get_if<Infeasible>(&outcome)) return in_terms_of(*missed, known.loss);
+  return outcome;
 }
 
 }  // namespace ricochet::calibration

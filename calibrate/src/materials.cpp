@@ -172,6 +172,30 @@ std::vector<SizeChoice> size_choices(LawKind law) {
   return {};
 }
 
+namespace {
+
+/// What is written for the pairs in that engine.
+Snippet written(std::string_view engine, const Materials& materials, const std::vector<PairResult>& pairs, Kept kept) {
+  const Engine known = engine_named(engine == "liggghts-ricochet" ? "liggghts" : engine).value();
+  return export_contacts(known, contact_set(materials, pairs, kept));
+}
+
+}  // namespace
+
+std::vector<SizeChoice> size_choices(const Materials& materials, const std::vector<PairResult>& pairs) {
+  std::vector<SizeChoice> all = size_choices(materials.law);
+  for (SizeChoice& choice : all) {
+    if (!choice.written) continue;
+    const Snippet snippet = written(choice.engine, materials, pairs, choice.kept);
+    choice.written = snippet.fidelity != Fidelity::absent;
+    if (choice.written) continue;
+    choice.refusal = snippet.remarks.empty() ? "a contact never separates there" : snippet.remarks.front();
+    if (const std::string mark = "NOT WRITTEN: "; choice.refusal.starts_with(mark))
+      choice.refusal.erase(0, mark.size());
+  }
+  return all;
+}
+
 Kept kept_by(std::string_view engine, LawKind law) {
   for (const SizeChoice& choice : size_choices(law))
     if (choice.written && choice.engine.starts_with(engine)) return choice.kept;
@@ -185,6 +209,9 @@ std::vector<EngineStep> engine_steps(const Materials& materials, const std::vect
   std::string last;
   for (const EngineStep& s : engine_steps(pairs.front().found.law, materials.end, target)) {
     if (std::exchange(last, s.engine) == s.engine) continue;
+    const bool all_found = pairs.size() == materials.pairs.size();
+    if (all_found && written(s.engine, materials, pairs, kept_by(s.engine, materials.law)).fidelity == Fidelity::absent)
+      continue;
     for (const EngineStep& step : steps_in(s.engine, materials, pairs)) all.push_back(step);
   }
   return all;

@@ -1,40 +1,17 @@
 #include "reach.hpp"
 
-#include "solution.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include <ricochet/collision/reach.hpp>
 
 namespace ricochet::calibration {
-namespace {
-
-/// Is e_n far enough from 0 for the tolerance, and every parameter a normal double?
-bool reaches(const Request& request, double en, double tolerance) {
-  const auto found = unit_law(request.law, en, request.end);
-  if (!found || rounding_error(found->law, request.end, en) > tolerance) return false;
-  return request.law == kind_of<Fractional> || at_impact(found->law, request.target.tcol, request.target.impact);
-}
-
-/// The next number of three digits: what is told of a range is reachable to its last digit.
-double rounded_up(double x) {
-  const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
-  return unit > 0 ? std::min(1.0, std::ceil(x / unit) * unit) : x;
-}
-
-}  // namespace
 
 Infeasible out_of_reach(const Request& request, double tolerance) {
-  double missed = std::log(request.target.en), reached = 0;
-  for (int halving = 0; halving < 30; ++halving) {
-    const double middle = 0.5 * (missed + reached);
-    (reaches(request, std::exp(middle), tolerance) ? reached : missed) = middle;
-  }
+  const auto& [tcol, en, impact] = request.target;
   return {request.law,
           request.end,
-          "below, the rounding of its parameters to doubles keeps the law from the tolerance",
+          "outside, the rounding of its parameters to doubles keeps the law from the tolerance",
           "en",
-          request.target.en,
-          rounded_up(std::exp(reached)),
+          en,
+          least_restitution(request.law, request.end, en, tcol, impact, tolerance),
           1};
 }
 

@@ -41,7 +41,8 @@ char separator_of(std::string_view head) {
 }
 
 std::string spelled(const CsvColumn& column) {
-  return column.unit.empty() ? std::string(column.name) : fmt::format("{} [{}]", column.name, column.unit);
+  const bool plain = column.unit.empty() || column.unit == count_unit;
+  return plain ? std::string(column.name) : fmt::format("{} [{}]", column.name, column.unit);
 }
 
 std::string list_of(std::span<const CsvColumn> columns) {
@@ -49,6 +50,22 @@ std::string list_of(std::span<const CsvColumn> columns) {
   all.reserve(columns.size());
   for (const CsvColumn& column : columns) all.push_back(spelled(column));
   return fmt::format("{}", fmt::join(all, ", "));
+}
+
+/// What a field tells of its file's decimal sign. "1.234" may be a number in thousands, "1.234,5" and "0.5" are not.
+struct SignEvidence {
+  char sign = 0;  ///< '.', ',' or nothing
+  bool sure = false;
+};
+
+SignEvidence evidence_of(std::string_view field) {
+  if (field.find_first_not_of("0123456789+-.,eE") != std::string_view::npos) return {};
+  const auto last = field.find_last_of(".,"), first = field.find_first_of(".,");
+  if (last == std::string_view::npos) return {};
+  if (first != last) return {field[last], field[first] != field[last]};
+  const auto before = field.find_first_of("123456789"), behind = field.substr(last + 1).find_first_not_of("0123456789");
+  const bool three = behind == std::string_view::npos && field.size() - last == 4;
+  return {field[last], !(three && before < last && last - before <= 3)};
 }
 
 struct Heading {
@@ -121,7 +138,7 @@ std::optional<CsvHead> take_csv_head(LineBlocks& source, LineBlocks::Block& bloc
 }
 
 CsvColumns::CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted,
-                       Unknown unknown)
+                       Unknown unknown, std::string_view rows)
     : accepted_(accepted), separator_(separator_of(head.text)), exponents_(accepted.size()), stated_(accepted.size()) {
   try {
     std::array<std::string_view, most> headings;
@@ -132,9 +149,27 @@ CsvColumns::CsvColumns(const std::string& file, const CsvHead& head, std::span<c
     for (std::size_t i = 0; i < accepted.size(); ++i)
       if (accepted[i].needed && !has(i))
         throw BadInput(fmt::format("column {}: missing: must be given", accepted[i].name));
+    decimal_sign_ = separator_ == ',' ? '.' : sign_in(rows);
   } catch (const BadInput& error) {
     throw BadInput(fmt::format("{}:{}: {}", file, head.line, error.what()));
   }
+}
+
+/// The decimal sign by the first field that leaves no doubt of it, else by the first that has one; 0 without any.
+char CsvColumns::sign_in(std::string_view rows) const {
+  char doubtful = 0;
+  while (!rows.empty()) {
+    const auto line = take_line(rows);
+    std::array<std::string_view, most> row;
+    const auto count = is_csv_remark(line) ? std::optional<std::size_t>() : fields_of(line, row);
+    for (std::size_t i = 0; count && i < std::min(*count, order_.size()); ++i) {
+      if (!order_[i]) continue;
+      const SignEvidence told = evidence_of(row[i]);
+      if (told.sure) return told.sign;
+      if (doubtful == 0) doubtful = told.sign;
+    }
+  }
+  return doubtful;
 }
 
 /// None of the headings is known: the first is named, or the separator that the head lacks.
@@ -148,21 +183,35 @@ void CsvColumns::refuse(std::string_view heading, std::size_t count) const {
 /// The accepted column that a heading names, and its unit noted.
 std::optional<std::size_t> CsvColumns::take(std::string_view heading, Unknown unknown) {
   const Heading given = parts_of(heading);
-  const auto known = std::find_if(accepted_.begin(), accepted_.end(), [&](const CsvColumn& c) {
+  const auto named = [&](const CsvColumn& c) {
     return names(c, given.name) && !(c.unit.empty() && !decimal_exponent(given.unit, ""));
-  });
+  };
+  // Of several columns of that name the one of that unit.
+  auto known = std::find_if(accepted_.begin(), accepted_.end(),
+                            [&](const CsvColumn& c) { return named(c) && decimal_exponent(given.unit, c.unit); });
+  if (known == accepted_.end()) known = std::find_if(accepted_.begin(), accepted_.end(), named);
   if (known == accepted_.end() && unknown == Unknown::ignored) {
     ignored_.push_back(excerpt(heading));
     return std::nullopt;
   }
   if (known == accepted_.end()) refuse(heading, 2);
   const auto exponent = decimal_exponent(given.unit, known->unit);
-  if (!exponent) throw BadInput(fmt::format("column = {}: must be in {}", excerpt(heading), unit_choices(known->unit)));
+  if (!exponent) throw BadInput(fmt::format("column = {}: must be {}", excerpt(heading), units_of(known->name)));
   const auto column = static_cast<std::size_t>(known - accepted_.begin());
-  if (has(column)) throw BadInput(fmt::format("column = {}: must be given once", known->name));
+  for (std::size_t i = 0; i < accepted_.size(); ++i)
+    if (has(i) && accepted_[i].name == known->name)
+      throw BadInput(fmt::format("column = {}: must be given once", known->name));
   exponents_[column] = exponent;
   stated_[column] = !given.unit.empty();
   return column;
+}
+
+/// "in m/s, cm/s or mm/s", of every column of that name.
+std::string CsvColumns::units_of(std::string_view name) const {
+  std::vector<std::string> all;
+  for (const CsvColumn& c : accepted_)
+    if (c.name == name && !unit_choices(c.unit).empty()) all.push_back(unit_choices(c.unit));
+  return all.empty() ? "without unit" : fmt::format("in {}", fmt::join(all, "; or in "));
 }
 
 /// How many fields the line has; nothing where a quote is not closed or there are more than `fields` holds.
@@ -196,20 +245,26 @@ void CsvColumns::split(std::string_view line, std::span<std::string_view> fields
 std::optional<double> CsvColumns::number(std::size_t column, std::string_view field) const {
   const int exponent = exponents_[column].value_or(0);
   const auto comma = separator_ == ',' ? std::string_view::npos : field.find(',');
-  if (exponent == 0 && comma == std::string_view::npos) return parse_number(field);
+  if (exponent == 0 && comma == std::string_view::npos && decimal_sign_ != ',') return parse_number(field);
+  if (!doubt(field).empty()) return std::nullopt;
   std::string number(field);
-  if (comma != std::string_view::npos) {
-    if (number.find('.') != std::string::npos) return std::nullopt;
-    number[comma] = '.';
-  }
+  if (comma != std::string_view::npos) number[comma] = '.';
   return scaled(number, exponent);
+}
+
+std::string_view CsvColumns::doubt(std::string_view field) const {
+  const bool comma = field.find(',') != std::string_view::npos, point = field.find('.') != std::string_view::npos;
+  if (comma && (point || separator_ == ',')) return ", without separators of thousands";
+  if (comma && decimal_sign_ == '.') return ", with a decimal point as the file's other numbers";
+  if (point && decimal_sign_ == ',') return ", with a decimal comma as the file's other numbers";
+  return {};
 }
 
 CsvReader::CsvReader(std::string path, std::span<const CsvColumn> accepted, Unknown unknown)
     : path_(std::move(path)), accepted_(accepted), source_(path_), fields_(accepted.size()) {
   const auto head = take_csv_head(source_, block_);
   if (!head) return;
-  columns_.emplace(path_, *head, accepted_, unknown);
+  columns_.emplace(path_, *head, accepted_, unknown, block_.text);
   line_ = head->line;
   rest_ = block_.text;
 }
@@ -236,7 +291,7 @@ bool CsvReader::next() {
 
 double CsvReader::number(std::size_t column, std::string_view accepted) const {
   const auto value = columns_->number(column, fields_[column]);
-  if (!value) reject(column, accepted);
+  if (!value) reject(column, fmt::format("{}{}", accepted, columns_->doubt(fields_[column])));
   return *value;
 }
 

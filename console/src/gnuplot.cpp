@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 namespace ricochet::console {
 
 namespace {
@@ -37,9 +39,8 @@ std::string words_of(char name, const Axis& axis) {
 std::string words_of(const Curve& curve, bool titled) {
   std::string source = curve.what;
   if (!curve.file.empty()) {
-    const std::string header = curve.block.value_or(0) == 0 ? " skip 1" : "";
-    const std::string block = curve.block ? fmt::format(" index {}", *curve.block) : "";
-    source = fmt::format("{}{}{} using {}", quoted(curve.file), header, block, curve.what);
+    const std::string rows = curve.rows ? fmt::format(" every ::{}::{}", curve.rows->first, curve.rows->last) : "";
+    source = fmt::format("{} skip 1{} using {}", quoted(curve.file), rows, curve.what);
   }
   const std::string title = titled && !curve.title.empty() ? fmt::format("title {}", quoted(curve.title)) : "notitle";
   return fmt::format("{} with {} {}", source, curve.style, title);
@@ -98,6 +99,17 @@ std::string words_of(const Layout& layout) {
 }
 
 }  // namespace
+
+Rows SeriesFile::rows(std::size_t series) const {
+  const std::size_t first = begins_.at(series), end = series + 1 < begins_.size() ? begins_[series + 1] : rows_;
+  if (first == end) throw std::logic_error(fmt::format("{}: series {} has no rows", name_, series));
+  return {first, end - 1};
+}
+
+Plot with_key_below(Panel panel, int rows, double below) {
+  panel.key = fmt::format("at screen 0.5,0.01 center bottom maxrows {}", rows);
+  return {.panels = {std::move(panel)}, .layout = Layout{.left = 0.1, .right = 0.97, .bottom = below, .top = 0.96}};
+}
 
 std::string script_of(const Plot& plot) {
   std::string script = plot.layout ? words_of(*plot.layout) : "";

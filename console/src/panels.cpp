@@ -24,29 +24,29 @@ Prefix prefix_for(double greatest) {
   return {fmt::format("1e{}", -3 * n), letters[n + 5]};
 }
 
-std::string csv_of(const std::vector<Motion>& motions) {
-  std::string csv = "curve,t [s],overlap [m],velocity [m/s],force [N]\n";
+SeriesFile file_of(const std::string& name, const std::vector<Motion>& motions) {
+  SeriesFile file(name, "curve,t [s],overlap [m],velocity [m/s],force [N]");
   for (const Motion& motion : motions) {
-    if (&motion != &motions.front()) csv += "\n\n";
+    file.begin();
     for (const Moment& m : motion.moments)
-      csv += fmt::format("\"{}\",{},{},{},{}\n", motion.title, shortest(m.time), shortest(m.overlap),
-                         shortest(m.velocity), shortest(m.force));
+      file.add(fmt::format("\"{}\",{},{},{},{}", motion.title, shortest(m.time), shortest(m.overlap),
+                           shortest(m.velocity), shortest(m.force)));
   }
-  return csv;
+  return file;
 }
 
 std::string style_of(std::size_t i) { return fmt::format("lines lt {} lw 2.2 dt {}", i % 7 + 1, i < 7 ? 1 : 2); }
 
 /// One quantity over time under every law.
-Panel panel_of(const std::vector<Motion>& motions, const std::string& file, const Prefix& time,
-               const std::string& label, int column, const std::string& factor) {
+Panel panel_of(const std::vector<Motion>& motions, const SeriesFile& file, const Prefix& time, const std::string& label,
+               int column, const std::string& factor) {
   Panel panel{.x = {.label = fmt::format("time since the first touch [{}s]", time.letter), .label_offset = "0,0.3"},
               .y = {.label = label, .label_offset = "1,0"},
               .room = "graph 0,0.02,0.03,0",
               .zero_line = true};
   for (std::size_t i = 0; i < motions.size(); ++i)
-    panel.curves.push_back({.file = file,
-                            .block = i,
+    panel.curves.push_back({.file = file.name(),
+                            .rows = file.rows(i),
                             .what = fmt::format("($2*{}):(${}*{})", time.factor, column, factor),
                             .style = style_of(i),
                             .title = motions[i].title});
@@ -65,7 +65,7 @@ Figure collision_panels(const std::string& name, const std::string& caption, con
     }
   const Prefix time = prefix_for(greatest.time), overlap = prefix_for(greatest.overlap),
                force = prefix_for(greatest.force);
-  const std::string file = name + ".csv";
+  const SeriesFile file = file_of(name + ".csv", motions);
   const Plot plot{
       .panels = {panel_of(motions, file, time, fmt::format("overlap [{}m]", overlap.letter), 3, overlap.factor),
                  panel_of(motions, file, time, "velocity [m/s]", 4, "1"),
@@ -79,12 +79,8 @@ Figure collision_panels(const std::string& name, const std::string& caption, con
                        .between_columns = 0.11,
                        .between_rows = 0.13},
       .key_panel = "at graph 0.06,0.94 left top font ',15' spacing 1.5 samplen 3"};
-  return {.name = name,
-          .caption = caption,
-          .script = script_of(plot),
-          .data = {{file, csv_of(motions)}},
-          .width = 960,
-          .height = 680};
+  return {
+      .name = name, .caption = caption, .script = script_of(plot), .data = {file.data()}, .width = 960, .height = 680};
 }
 
 }  // namespace ricochet::console

@@ -21,21 +21,40 @@ struct Multiple {
   bool offered = true;
 };
 constexpr std::array multiples{
-    Multiple{"ms", "s", -3},         Multiple{"us", "s", -6},
+    Multiple{"ms", "s", -3},
+    Multiple{"us", "s", -6},
     Multiple{"µs", "s", -6, false},  // the micro sign
     Multiple{"μs", "s", -6, false},  // the Greek letter
-    Multiple{"ns", "s", -9},         Multiple{"cm", "m", -2},
-    Multiple{"mm", "m", -3},         Multiple{"um", "m", -6},
-    Multiple{"µm", "m", -6, false},  Multiple{"μm", "m", -6, false},
-    Multiple{"nm", "m", -9},         Multiple{"cm/s", "m/s", -2},
-    Multiple{"mm/s", "m/s", -3},     Multiple{"g", "kg", -3},
-    Multiple{"mg", "kg", -6},        Multiple{"kPa", "Pa", 3},
-    Multiple{"MPa", "Pa", 6},        Multiple{"N/mm^2", "Pa", 6, false},
-    Multiple{"GPa", "Pa", 9},        Multiple{"kg/m3", "kg/m^3", 0, false},
-    Multiple{"g/cm^3", "kg/m^3", 3}, Multiple{"g/cm3", "kg/m^3", 3, false},
-    Multiple{"N/m", "kg/s^2", 0},    Multiple{"N/mm", "kg/s^2", 3},
-    Multiple{"kN/m", "kg/s^2", 3},   Multiple{"MN/m", "kg/s^2", 6},
-    Multiple{"N s/m", "kg/s", 0},    Multiple{"%", "", -2},
+    Multiple{"ns", "s", -9},
+    Multiple{"cm", "m", -2},
+    Multiple{"mm", "m", -3},
+    Multiple{"um", "m", -6},
+    Multiple{"µm", "m", -6, false},
+    Multiple{"μm", "m", -6, false},
+    Multiple{"nm", "m", -9},
+    Multiple{"cm/s", "m/s", -2},
+    Multiple{"mm/s", "m/s", -3},
+    Multiple{"g", "kg", -3},
+    Multiple{"mg", "kg", -6},
+    Multiple{"kPa", "Pa", 3},
+    Multiple{"MPa", "Pa", 6},
+    Multiple{"N/mm^2", "Pa", 6, false},
+    Multiple{"GPa", "Pa", 9},
+    Multiple{"kg/m3", "kg/m^3", 0, false},
+    Multiple{"g/cm^3", "kg/m^3", 3},
+    Multiple{"g/cm3", "kg/m^3", 3, false},
+    Multiple{"N/m", "kg/s^2", 0},
+    Multiple{"N/mm", "kg/s^2", 3},
+    Multiple{"kN/m", "kg/s^2", 3},
+    Multiple{"MN/m", "kg/s^2", 6},
+    Multiple{"N s/m", "kg/s", 0},
+    Multiple{"%", "", -2},
+    // Of kζ^{3/2}: N/mm^1.5 is no power of ten of it.
+    Multiple{"N/m^1.5", "kg/(s^2 m^(1/2))", 0},
+    Multiple{"N/m^(3/2)", "kg/(s^2 m^(1/2))", 0, false},
+    Multiple{"kN/m^1.5", "kg/(s^2 m^(1/2))", 3},
+    Multiple{"MN/m^1.5", "kg/(s^2 m^(1/2))", 6},
+    Multiple{"GN/m^1.5", "kg/(s^2 m^(1/2))", 9},
 };
 
 struct NumberAndUnit {
@@ -69,6 +88,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 std::string accepted(std::string_view si) {
+  if (si == count_unit) return "a finite number without unit";
   const std::string units = unit_choices(si);
   if (units.empty()) return "a finite number";
   return fmt::format("a finite number, plain or {}", si.empty() ? "with " + units : "with a unit: " + units);
@@ -106,13 +126,15 @@ std::vector<double> steps_of(const std::vector<double>& range) {
 }  // namespace
 
 std::optional<int> decimal_exponent(std::string_view unit, std::string_view si) {
-  if (unit.empty() || unit == si || (si.empty() && (unit == "-" || unit == "1"))) return 0;
+  const bool plain = si.empty() || si == count_unit;
+  if (unit.empty() || unit == si || (plain && (unit == "-" || unit == "1"))) return 0;
   for (const Multiple& m : multiples)
     if (m.unit == unit && m.si == si) return m.exponent;
   return std::nullopt;
 }
 
 std::string unit_choices(std::string_view si) {
+  if (si == count_unit) return "";
   std::vector<std::string_view> names;
   if (!si.empty()) names.push_back(si);
   if (si == "rad") names.push_back("deg");

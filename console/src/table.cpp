@@ -66,6 +66,116 @@ std::string without_trailing_spaces(std::string line) {
   return line;
 }
 
+/// How far the lines of a cell after its first are indented, which tells them from a row of their own.
+constexpr std::size_t hanging = 2;
+
+/// Least width to which the text can be broken.
+std::size_t longest_word(const std::string& text, std::size_t indent) {
+  std::size_t longest = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    longest = std::max(longest, display_width(std::string_view(text).substr(at, end - at)) + (at > 0 ? indent : 0));
+    at = end + 1;
+  }
+  return longest;
+}
+
+/// A table's head and rows as lines of text, no wider than a terminal where their words allow that.
+class TextRows {
+ public:
+  TextRows(const std::vector<Column>& columns, const std::vector<std::vector<Cell>>& rows) {
+    right_.reserve(columns.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) right_.push_back(is_right(columns[i], rows, i));
+    add_head(columns);
+    for (const auto& row : rows) {
+      lines_.emplace_back();
+      for (std::size_t i = 0; i < row.size(); ++i)
+        lines_.back().push_back(std::visit(Shown{columns[i].notation}, row[i]));
+    }
+    fit();
+  }
+
+  std::string rendered() const {
+    std::string out;
+    for (std::size_t l = 0; l < lines_.size(); ++l) {
+      out += broken(lines_[l]);
+      if (l + 1 != head_) continue;
+      for (std::size_t i = 0; i < width_.size(); ++i) out += (i ? "  " : "") + std::string(width_[i], '-');
+      out += "\n";
+    }
+    return out;
+  }
+
+ private:
+  void add_head(const std::vector<Column>& columns) {
+    lines_.emplace_back();
+    for (const Column& column : columns) lines_[0].push_back(column.name);
+    if (std::any_of(columns.begin(), columns.end(), [](const Column& c) { return !c.unit.empty(); })) {
+      lines_.emplace_back();
+      for (const Column& column : columns)
+        lines_[1].push_back(column.unit.empty() ? "" : fmt::format("[{}]", column.unit));
+    }
+    head_ = lines_.size();
+  }
+
+  std::size_t indent(std::size_t column) const { return right_[column] ? 0 : hanging; }
+
+  /// The greatest measure(cell, column) of each column, over all lines from the given one on.
+  template <class F>
+  std::vector<std::size_t> greatest(std::size_t from, const F& measure) const {
+    std::vector<std::size_t> all(right_.size(), 0);
+    for (std::size_t l = from; l < lines_.size(); ++l)
+      for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::max(all[i], measure(lines_[l][i], i));
+    return all;
+  }
+
+  /// Widths that suit a terminal: names are broken before what stands below them.
+  void fit() {
+    const auto whole = [](const std::string& cell, std::size_t) { return display_width(cell); };
+    width_ = greatest(0, whole);
+    const std::vector<std::size_t> words =
+        greatest(0, [this](const std::string& cell, std::size_t i) { return longest_word(cell, indent(i)); });
+    std::vector<std::size_t> cells = greatest(1, whole);
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = std::max(cells[i], longest_word(lines_[0][i], indent(i)));
+    for (const auto& least : {cells, words}) narrow_to(least);
+  }
+
+  void narrow_to(const std::vector<std::size_t>& least) {
+    std::size_t total = 2 * (width_.size() - 1);
+    for (const std::size_t width : width_) total += width;
+    while (total > terminal_width) {
+      std::size_t widest = width_.size();
+      for (std::size_t i = 0; i < width_.size(); ++i)
+        if (width_[i] > least[i] && (widest == width_.size() || width_[i] > width_[widest])) widest = i;
+      if (widest == width_.size()) return;
+      --width_[widest];
+      --total;
+    }
+  }
+
+  /// One row, over as many lines as its cells need.
+  std::string broken(const std::vector<std::string>& row) const {
+    std::vector<std::vector<std::string>> cells;
+    cells.reserve(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) cells.push_back(wrapped(row[i], width_[i], indent(i)));
+    std::size_t height = 1;
+    for (const auto& cell : cells) height = std::max(height, cell.size());
+    std::string out;
+    for (std::size_t l = 0; l < height; ++l) {
+      std::string line;
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        line += (i ? "  " : "") + padded(l < cells[i].size() ? cells[i][l] : "", width_[i], right_[i]);
+      out += without_trailing_spaces(line) + "\n";
+    }
+    return out;
+  }
+
+  std::vector<bool> right_ = {};
+  std::vector<std::vector<std::string>> lines_ = {};  ///< the head's first
+  std::size_t head_ = 0;
+  std::vector<std::size_t> width_ = {};
+};
+
 std::string escaped_for_markdown(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -109,35 +219,36 @@ Table& Table::note(std::string text) {
 
 bool Table::right_aligned(std::size_t column) const { return is_right(columns_[column], rows_, column); }
 
-std::string Table::text() const {
-  std::vector<std::vector<std::string>> lines(1);
-  for (const Column& column : columns_) lines[0].push_back(column.name);
-  if (std::any_of(columns_.begin(), columns_.end(), [](const Column& c) { return !c.unit.empty(); })) {
-    lines.emplace_back();
-    for (const Column& column : columns_)
-      lines[1].push_back(column.unit.empty() ? "" : fmt::format("[{}]", column.unit));
+std::vector<std::string> wrapped(std::string_view text, std::size_t width, std::size_t indent) {
+  std::vector<std::string> lines(1);
+  std::size_t used = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    const std::size_t room = display_width(word);
+    if (used > 0 && used + 1 + room > width) {
+      lines.emplace_back(indent, ' ');
+      lines.back() += word;
+      used = indent + room;
+    } else {
+      if (at > 0) lines.back() += ' ';
+      lines.back() += word;
+      used += room + (at > 0 ? 1 : 0);
+    }
+    at = end + 1;
   }
-  const std::size_t head = lines.size();
-  for (const auto& row : rows_) {
-    lines.emplace_back();
-    for (std::size_t i = 0; i < row.size(); ++i)
-      lines.back().push_back(std::visit(Shown{columns_[i].notation}, row[i]));
-  }
-  std::vector<std::size_t> width(columns_.size());
-  for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) width[i] = std::max(width[i], display_width(line[i]));
+  return lines;
+}
 
-  std::string out = caption_.empty() ? "" : caption_ + "\n";
-  for (std::size_t l = 0; l < lines.size(); ++l) {
-    std::string line;
-    for (std::size_t i = 0; i < columns_.size(); ++i)
-      line += (i ? "  " : "") + padded(lines[l][i], width[i], is_right(columns_[i], rows_, i));
-    out += without_trailing_spaces(line) + "\n";
-    if (l + 1 != head) continue;
-    for (std::size_t i = 0; i < width.size(); ++i) out += (i ? "  " : "") + std::string(width[i], '-');
-    out += "\n";
-  }
-  for (const std::string& note : notes_) out += note + "\n";
+std::string Table::text() const {
+  const TextRows rows(columns_, rows_);
+  std::string out;
+  const auto add = [&out](const std::string& sentence) {
+    for (const std::string& line : wrapped(sentence)) out += line + "\n";
+  };
+  if (!caption_.empty()) add(caption_);
+  out += rows.rendered();
+  for (const std::string& note : notes_) add(note);
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -77,9 +78,44 @@ TEST_CASE("steps are advised for the engines that run the law and end it so") {
     return names;
   };
   using Names = std::vector<std::string>;
-  CHECK(engines_of(Linear(7316, 0.098), ContactEnd::overlap) == Names{"liggghts", "lammps", "mercurydpm"});
+  CHECK(engines_of(Linear(7316, 0.098), ContactEnd::overlap) == Names{"liggghts", "lammps", "mercurydpm", "mfix"});
   CHECK(engines_of(Linear(7316, 0.098), ContactEnd::force) == Names{"liggghts", "lammps", "yade"});
   CHECK(engines_of(Fractional(5225, 0.2964, 0.3197), ContactEnd::force) == Names{"liggghts-ricochet"});
+}
+
+TEST_CASE("an integrator that takes the velocity forward first steps a contact as those with half steps do") {
+  // MFiX's 'EULER', written down: force from the state, velocity, then position, which ends the contact by overlap.
+  const Linear law(7316.0209, 0.0979913);
+  const Collision exact = collide(law, impact, {.end = ContactEnd::overlap});
+  const auto errors = step_errors(law, ContactEnd::overlap, {exact.tcol, exact.en, impact});
+  const int steps = 80;
+  const double h = exact.tcol / steps;
+  double worst = 0;
+  for (int place = 0; place < 16; ++place) {
+    double overlap = ((place + 0.5) / 16 - 1) * h * impact.velocity, rate = impact.velocity;
+    do {
+      if (overlap > 0) rate -= h * (law.k() * overlap + law.c() * rate) / impact.mass_eff;
+      overlap += h * rate;
+    } while (overlap > 0);
+    worst = std::max(worst, std::abs(-rate / impact.velocity / exact.en - 1));
+  }
+  for (const StepError& e : errors)
+    if (e.steps == steps) CHECK(worst == Approx(e.error).epsilon(0.1));
+}
+
+TEST_CASE("an advisor that has seen an e_n says of another collision time what engine_steps says") {
+  StepAdvisor advisor;
+  for (const double tcol : {1e-4, 3e-3, 7e-6}) {
+    const double k = 10 * impact.mass_eff / (tcol * tcol), c = 1.3 * impact.mass_eff / tcol;
+    const Linear law(k, c);
+    const Target target{collide(law, impact).tcol, 0.5, impact};
+    const auto ours = advisor(law, ContactEnd::force, target), theirs = engine_steps(law, ContactEnd::force, target);
+    REQUIRE(ours.size() == theirs.size());
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      CHECK(ours[i].engine == theirs[i].engine);
+      CHECK(ours[i].step == theirs[i].step);
+    }
+  }
 }
 
 TEST_CASE("Hertz' time is that of the elastic collision, Rayleigh's as its source states it") {

@@ -121,6 +121,22 @@ TEST_CASE("the time step serves every pair and size") {
   CHECK(std::stod(text.substr(text.find("\ntimestep ") + 10)) == Approx(least).epsilon(1e-9));
 }
 
+TEST_CASE("exports tell of the sizes that never part under their numbers, and who keeps the restitution") {
+  // c is kept while the mass falls as r³: from the middle (r = 5.5) to the least (r = 1) the damping ratio grows by
+  // √(5.5³) = 12.9, from 0.2155 of e_n = 0.5 to 2.8. An overdamped contact ended by overlap does not end.
+  Materials m = sizes(kind_of<Linear>, ContactEnd::overlap);
+  m.all = {{.name = "grain", .density = 1000, .least = 1e-3, .greatest = 10e-3, .stiffness = 1000}};
+  m.pairs = {{0, 0, 0.5}};
+  const auto pairs = found(m);
+  for (const Engine engine : {Engine::liggghts, Engine::mercurydpm}) {
+    const Snippet snippet = export_contacts(engine, contact_set(m, pairs, kept_by(text(engine), m.law)));
+    CHECK(snippet.text.find("NEVER PART: grain and grain") != std::string::npos);
+    CHECK(snippet.remarks.back().find("lammps, yade") != std::string::npos);
+  }
+  const Snippet kept = export_contacts(Engine::lammps, contact_set(m, pairs, kept_by("lammps", m.law)));
+  CHECK(kept.text.find("NEVER PART") == std::string::npos);
+}
+
 TEST_CASE("moduli of materials come back out of the matrix of an engine") {
   const Materials m = sizes(kind_of<Tsuji>);
   const std::string text = export_contacts(Engine::liggghts, contact_set(m, found(m), Kept::numbers)).text;
@@ -139,4 +155,28 @@ TEST_CASE("a pair out of reach says so, the others stay") {
   const auto outcomes = calibrate_pairs(m);
   CHECK(std::holds_alternative<PairResult>(outcomes[0]));
   CHECK(std::holds_alternative<PairMissed>(outcomes[1]));
+}
+
+TEST_CASE("what keeps e_n at every size is written where the engine can be given these pairs' numbers") {
+  const auto written = [](double en_of_grains, double en_at_wall) {
+    Materials m = sizes(kind_of<Tsuji>);
+    m.pairs = {{0, 0, en_of_grains}, {0, 1, en_at_wall}};
+    std::vector<std::string> engines;
+    for (const SizeChoice& c : size_choices(m, found(m))) {
+      CHECK(c.written == c.refusal.empty());
+      if (c.written) engines.push_back(c.engine);
+    }
+    return engines;
+  };
+  using Names = std::vector<std::string>;
+  // LIGGGHTS damps by the logarithmic form of a restitution, which ends by force at 0.2137: beta = 1 of -ln e/hypot.
+  CHECK(written(0.7, 0.6) == Names{"liggghts", "lammps", "yade", "mercurydpm", "mfix"});
+  CHECK(written(0.7, 0.2).front() == "lammps");
+  CHECK(written(0.2, 0.6).front() == "lammps");
+  Materials two = sizes(kind_of<Linear>);
+  two.all.insert(two.all.begin() + 1, two.all.front());
+  two.all[1].name = "other";
+  two.pairs = {{0, 0, 0.7}, {0, 1, 0.7}, {1, 1, 0.7}, {0, 2, 0.7}, {1, 2, 0.7}};
+  for (const SizeChoice& c : size_choices(two, found(two)))
+    if (c.engine == "mfix") CHECK(c.refusal.find("one solids phase") != std::string::npos);
 }

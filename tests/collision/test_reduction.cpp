@@ -1,5 +1,5 @@
 #include <ricochet/collision/fractional_contact.hpp>
-#include <ricochet/collision/reduction.hpp>
+#include <ricochet/collision/reach.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -157,4 +157,17 @@ TEST_CASE("a fractional law holds the k that is wanted, and collides the same", 
   REQUIRE(spring);
   CHECK(spring->c() == 4);
   CHECK_FALSE(Reduction<Fractional>::holding(1e-300, 1, 0.1, 1, 1));
+}
+
+TEST_CASE("what is reached ends where rounding takes the digits of e_n", "[tuned]") {
+  const Impact impact{0.5, 1.41e-5};
+  // Fractional by overlap: 1e-15/e_n^2 > 1e-10 below 10^-2.5 = 0.0031623, told as 0.00317.
+  const double least = least_restitution(kind_of<Fractional>, ContactEnd::overlap, 1e-3, 1e-4, impact);
+  CHECK(least == Approx(0.00317).epsilon(1e-12));
+  CHECK(reaches(kind_of<Fractional>, ContactEnd::overlap, least, 1e-4, impact));
+  CHECK_FALSE(reaches(kind_of<Fractional>, ContactEnd::overlap, 0.99 * std::pow(10, -2.5), 1e-4, impact));
+  CHECK(reaches(kind_of<Linear>, ContactEnd::overlap, 1e-3, 1e-4, impact));
+  // k1/k2 = e_n^2 leaves the range of normal doubles.
+  CHECK_FALSE(reaches(kind_of<Hysteretic>, ContactEnd::force, 1e-200, 1e-4, impact));
+  CHECK(reaches(kind_of<Hysteretic>, ContactEnd::force, 1e-100, 1e-4, impact));
 }

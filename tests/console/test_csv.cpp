@@ -131,10 +131,52 @@ TEST_CASE("what is wrong with a row is said with file and line") {
   };
   CHECK_THROWS_WITH(read("velocity,en\n# x\n1\n"), Catch::EndsWith("f:3: fields = 1: must be 2, one a column"));
   CHECK_THROWS_WITH(read("velocity,en\nx,1\n"), Catch::EndsWith("f:2: velocity = x: must be a finite number"));
-  CHECK_THROWS_WITH(read("velocity;en\n1.000,5;1\n"), Catch::EndsWith("velocity = 1.000,5: must be a finite number"));
+  CHECK_THROWS_WITH(read("velocity;en\n1.000,5;1\n"),
+                    Catch::EndsWith("velocity = 1.000,5: must be a finite number, without separators of thousands"));
   CHECK_THROWS_WITH(read("velocity,en\n,1\n"), Catch::EndsWith("f:2: velocity = nothing: must be a finite number"));
   CHECK_THROWS_WITH(read("velocity,en\n1,1\n"), Catch::EndsWith("f:3: read"));
   CHECK_THROWS_WITH(read(""), Catch::EndsWith("f:1: read"));
+}
+
+TEST_CASE("a file has one decimal sign: what may mean thousands is refused by name") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& bytes) {
+    std::ofstream(folder / "f", std::ios::binary) << bytes;
+    CsvReader file(folder / "f", speeds);
+    std::vector<double> all;
+    while (file.next()) all.push_back(file.number(0));
+    return all;
+  };
+  // "1.234" means 1234 where others have a decimal comma, before it or behind it.
+  CHECK_THROWS_WITH(read("velocity;en\n0,5;0,7\n1.234;0,5\n"),
+                    Catch::EndsWith("f:3: velocity = 1.234: must be a finite number, with a decimal comma as the "
+                                    "file's other numbers"));
+  CHECK_THROWS_WITH(read("velocity;en\n1.234;0,5\n"), Catch::Contains("f:2: velocity = 1.234"));
+  CHECK_THROWS_WITH(read("velocity\ten\n0.5\t1\n1,234\t1\n"),
+                    Catch::EndsWith("with a decimal point as the file's other numbers"));
+  CHECK_THROWS_WITH(read("velocity;en\n1,234.5;1\n"), Catch::EndsWith("without separators of thousands"));
+  CHECK_THROWS_WITH(read("velocity;en\n1.234.567;0,5\n"), Catch::EndsWith("as the file's other numbers"));
+  CHECK_THROWS_WITH(read("velocity,en\n\"1,234.5\",1\n"), Catch::EndsWith("without separators of thousands"));
+  // One sign throughout is that of decimals.
+  CHECK(read("velocity;en\n1,234;0,5\n2;1\n") == std::vector{1.234, 2.0});
+  CHECK(read("velocity;en\n1.234;0.5\n12;1\n") == std::vector{1.234, 12.0});
+  CHECK(read("tcol;velocity;en\n1;1,5;1\n2;1,25;1\n") == std::vector{1.5, 1.25});
+}
+
+TEST_CASE("of columns of one name a file has that of its unit") {
+  constexpr std::array<CsvColumn, 2> names{CsvColumn{.name = "stiffness", .unit = "kg/s^2"},
+                                           CsvColumn{.name = "stiffness", .unit = "kg/(s^2 m^(1/2))"}};
+  const auto has = [&](const std::string& head) {
+    const CsvColumns columns("f", {head, 1}, names);
+    return std::pair(columns.has(0), columns.has(1));
+  };
+  CHECK(has("stiffness") == std::pair(true, false));
+  CHECK(has("stiffness [kN/m]") == std::pair(true, false));
+  CHECK(has("stiffness [MN/m^1.5]") == std::pair(false, true));
+  CHECK_THROWS_WITH(has("stiffness [N/m],stiffness [N/m^1.5]"), Catch::Contains("must be given once"));
+  CHECK_THROWS_WITH(has("stiffness [Pa]"), Catch::EndsWith("column = stiffness [Pa]: must be in kg/s^2, N/m, N/mm, "
+                                                           "kN/m or MN/m; or in kg/(s^2 m^(1/2)), N/m^1.5, kN/m^1.5, "
+                                                           "MN/m^1.5 or GN/m^1.5"));
 }
 
 TEST_CASE("a file comes in blocks of whole lines, whatever the block size") {

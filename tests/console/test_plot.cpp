@@ -34,8 +34,7 @@ TEST_CASE("a panel's script says all that is said about it") {
                     .x = {.label = "t [s]", .log = true, .range = std::pair(0.5, 8.0), .format = "", .tics = 2},
                     .y = {.label = "it's", .minor_tics = false, .label_offset = "1,0", .names = {"a", "b"}},
                     .curves = {{.file = "a.csv", .what = "1:2", .style = "lines lt 1", .title = "a"},
-                               {.file = "a.csv", .block = 0, .what = "1:2", .style = "points"},
-                               {.file = "a.csv", .block = 2, .what = "1:3", .style = "points"},
+                               {.file = "a.csv", .rows = Rows{3, 5}, .what = "1:3", .style = "points"},
                                {.what = "0", .style = "lines"}},
                     .key = "left top",
                     .zero_line = true,
@@ -65,22 +64,31 @@ unset offsets
 set xzeroaxis lt 1 lc rgb 'black' lw 0.7
 set size ratio -1
 plot 'a.csv' skip 1 using 1:2 with lines lt 1 title 'a', \
-  'a.csv' skip 1 index 0 using 1:2 with points notitle, \
-  'a.csv' index 2 using 1:3 with points notitle, \
+  'a.csv' skip 1 every ::3::5 using 1:3 with points notitle, \
   0 with lines notitle
 )");
 }
 
 TEST_CASE("gnuplot draws what panels describe, with the key in a panel of its own") {
-  const Panel panel{.x = {.label = "t"},
-                    .y = {.label = "f"},
-                    .curves = {{.file = "two.csv", .block = 0, .what = "1:2", .style = "lines lt 1", .title = "it's"},
-                               {.file = "two.csv", .block = 1, .what = "1:2", .style = "lines lt 2", .title = "other"}},
-                    .room = "graph 0,0.02,0.03,0"};
+  SeriesFile two("two.csv", "t,f,series");
+  two.begin();
+  for (const char* row : {"0,0,a", "1,1,a"}) two.add(row);
+  two.begin();
+  for (const char* row : {"0,1,b", "1,0,b", "2,0,b"}) two.add(row);
+  two.begin();
+  CHECK(two.data().bytes == "t,f,series\n0,0,a\n1,1,a\n0,1,b\n1,0,b\n2,0,b\n");
+  CHECK((two.rows(1).first == 2 && two.rows(1).last == 4));
+  CHECK_THROWS_AS(two.rows(2), std::logic_error);
+  const Panel panel{
+      .x = {.label = "t"},
+      .y = {.label = "f"},
+      .curves = {{.file = "two.csv", .rows = two.rows(0), .what = "1:2", .style = "lines lt 1", .title = "it's"},
+                 {.file = "two.csv", .rows = two.rows(1), .what = "1:2", .style = "lines lt 2", .title = "other"}},
+      .room = "graph 0,0.02,0.03,0"};
   const Plot plot{.panels = {panel},
                   .layout = Layout{.rows = 1, .columns = 2, .left = 0.1, .right = 0.9, .bottom = 0.1, .top = 0.9},
                   .key_panel = "left top"};
-  const std::string svg = svg_of({"two", "Two lines", script_of(plot), {{"two.csv", "t,f\n0,0\n1,1\n\n\n0,1\n1,0\n"}}});
+  const std::string svg = svg_of({"two", "Two lines", script_of(plot), {two.data()}});
   CHECK(svg.find("it's") != std::string::npos);
   CHECK(svg.find("other") != std::string::npos);
   CHECK_THROWS_AS(svg_of({"two", "", script_of(plot), {{"two.csv", "t,f\n"}}}), Failed);  // nothing to draw

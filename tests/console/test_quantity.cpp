@@ -30,6 +30,10 @@ TEST_CASE("numbers carry units as people write them, rounded once") {
                                         {"2.5g/cm^3", "kg/m^3", 2500},
                                         {"5N/m", "kg/s^2", 5},
                                         {"5kN/m", "kg/s^2", 5e3},
+                                        {"5N/m^1.5", "kg/(s^2 m^(1/2))", 5},
+                                        {"5 N/m^(3/2)", "kg/(s^2 m^(1/2))", 5},
+                                        {"2MN/m^1.5", "kg/(s^2 m^(1/2))", 2e6},
+                                        {"12", "1", 12},
                                         {"300mm/s", "m/s", 0.3},
                                         {"1%", "", 0.01},
                                         {"0.5", "", 0.5},
@@ -51,6 +55,9 @@ TEST_CASE("numbers carry units as people write them, rounded once") {
                                  {"+-1", ""},
                                  {"1-", ""},
                                  {"30deg", ""},
+                                 {"5N/mm", "kg/(s^2 m^(1/2))"},
+                                 {"5N/m^1.5", "kg/s^2"},
+                                 {"100%", "1"},
                                  {"1,5", ""},
                                  {"0x10", ""}}) {
     CAPTURE(text);

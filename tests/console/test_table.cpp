@@ -33,6 +33,29 @@ TEST_CASE("a table aligns its columns and carries units") {
         "k: stiffness\n");
 }
 
+TEST_CASE("a table that is wider than a terminal breaks names first, then texts, and keeps its numbers whole") {
+  Table table({{"which of many peers"}, {"a name of several words", "kg/s²"}, {"remark"}},
+              std::string(70, 'c') + " " + std::string(60, 'd'));
+  const std::string words =
+      "far more than a row of a table can hold beside its numbers and names, which is why it is broken";
+  table.row({std::string("one that is long"), 1234.5, words});
+  table.row({std::string("two"), 1.0, std::string("short")});
+  table.note(words + " " + words);
+  std::vector<std::string> lines;
+  const std::string text = table.text();
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
+    lines.push_back(text.substr(at, text.find('\n', at) - at));
+  for (const std::string& line : lines) CHECK(display_width(line) <= 120);
+  CHECK(lines[0] == std::string(70, 'c'));
+  CHECK(lines[1] == std::string(60, 'd'));
+  // The name goes over three lines before the text is touched, which needs them still.
+  CHECK(text.find("one that is long   1234.5  far more") != std::string::npos);
+  CHECK(table.csv().find(words) != std::string::npos);
+  CHECK(table.markdown().find(words) != std::string::npos);
+  CHECK(wrapped("a bb ccc", 4, 2) == std::vector<std::string>{"a bb", "  ccc"});
+  CHECK(wrapped("", 4).size() == 1);
+}
+
 TEST_CASE("CSV has the unit in the header and full precision") {
   CHECK(example().csv() ==
         "law,k [kg/s²],steps\n"
@@ -79,5 +102,7 @@ TEST_CASE("numbers are read strictly and written shortest") {
   CHECK(shortest(1e-4) == "1e-04");
   CHECK(significant(5211.5194, 6) == "5211.52");
   CHECK(fixed(0.5, 3) == "0.500");
+  CHECK(fixed(-4e-6, 5) == "0.00000");
+  CHECK(fixed(-6e-6, 5) == "-0.00001");
   CHECK(scientific(1e-4, 2) == "1.00e-04");
 }

@@ -124,6 +124,32 @@ TEST_CASE("every command in the documents does what they say") {
   }
 }
 
+TEST_CASE("the shell of the job for CI runs, and leaves the files that the job keeps") {
+  static const std::regex step(R"(^      - run: (.*)$)"), kept(R"(path: "(\w+)\.\*")");
+  const std::string text = read_file(root / "docs/order-gates.md");
+  const auto begin = text.find("```yaml\n");
+  REQUIRE(begin != std::string::npos);
+  const std::string job = text.substr(begin, text.find("\n```\n", begin) - begin);
+  const TemporaryFolder folder;
+  fs::create_directory_symlink(root / "data", folder / "data");
+  std::set<std::string> written;
+  for (const std::string& line : lines_of(job))
+    if (std::smatch match; std::regex_match(line, match, step)) {
+      const Ran ran = run(runnable(match[1].str()), folder);
+      INFO(line << "\n" << joined(ran.lines));
+      CHECK(ran.code == 0);
+      written.insert(line.substr(line.rfind(' ') + 1));
+    }
+  CHECK(written == std::set<std::string>{"orders.md", "orders.xml"});
+  std::smatch pattern;
+  REQUIRE(std::regex_search(job, pattern, kept));
+  for (const std::string& file : written) CHECK(fs::path(file).stem() == pattern[1].str());
+  CHECK(read_file(folder / "orders.md").find("| L1 |") != std::string::npos);
+  const std::string junit = read_file(folder / "orders.xml");
+  CHECK(junit.find("<testcase") != std::string::npos);
+  CHECK(junit.find("<failure") == std::string::npos);
+}
+
 TEST_CASE("the README's C++ is the example that the installed library builds") {
   const std::string readme = read_file(root / "README.md");
   CHECK(readme.find("```cpp\n" + read_file(root / "docs/examples/restitution.cpp") + "```\n") != std::string::npos);

@@ -124,4 +124,11 @@ TEST_CASE("a law by target that is not one says where") {
         "end");
   CHECK(complaint(R"({"name": "hysteretic", "en": 0.5, "tcol": 1e-4, "end": "overlap"})") ==
         "/interactions/0/law/end = \"overlap\": must be force with the law hysteretic");
+  // By overlap the fractional law keeps no digit of so small an e_n; by force it does, as every other law.
+  CHECK(complaint(R"({"name": "fractional", "en": 0.003, "tcol": 1e-4, "end": "overlap"})") ==
+        "/interactions/0/law/en = 0.003: must be in [0.00317, 1] with the law fractional ended by overlap: below, the "
+        "rounding of its parameters to doubles leaves another en");
+  CHECK(complaint(R"({"name": "fractional", "en": 0.00317, "tcol": 1e-4, "end": "overlap"})") == "accepted");
+  CHECK(complaint(R"({"name": "fractional", "en": 0.003, "tcol": 1e-4, "end": "force"})") == "accepted");
+  CHECK(complaint(R"({"name": "linear", "en": 0.003, "tcol": 1e-4, "end": "overlap"})") == "accepted");
 }

@@ -58,7 +58,10 @@ std::string study_text(const Study& study, const StudyResult& result, Format for
   auto tables = result.tables;
   tables.push_back(gate_table(result.gates));
   std::string text = console::render_all(tables, format);
-  if (format != Format::latex && !result.verdict.empty()) text += "\n" + result.verdict + "\n";
+  if (format == Format::table && !result.verdict.empty())
+    text += fmt::format("\n{}\n", fmt::join(console::wrapped(result.verdict), "\n"));
+  else if (format != Format::latex && !result.verdict.empty())
+    text += "\n" + result.verdict + "\n";
   return text;
 }
 

@@ -46,8 +46,8 @@ std::vector<std::string> functions_of(const std::vector<Panel>& panels) {
   return functions;
 }
 
-/// Adds a triangle of slope −order between two numbers of steps, a factor below the lowest error that the curves of
-/// that order have there; `place` counts the triangles of a panel.
+/// Adds a triangle of slope −order between two numbers of steps, a factor below every curve there, so that none crosses
+/// it or the number at its left; `place` counts the triangles of a panel.
 void add_triangle(console::Panel& drawn, const Panel& panel, double order, std::size_t place) {
   const auto& steps = panel.cases.front()->steps;
   // A second order's triangle stands farther right, where it does not cover the first.
@@ -56,7 +56,7 @@ void add_triangle(console::Panel& drawn, const Panel& panel, double order, std::
   double least = std::numeric_limits<double>::infinity();
   const double n1 = static_cast<double>(steps[first]), n2 = static_cast<double>(steps[last]);
   for (const Convergence* c : panel.cases)
-    for (std::size_t i = first; i <= last && *c->statement.order == order; ++i)
+    for (std::size_t i = first; i <= last; ++i)
       if (c->errors[i] > 0) least = std::min(least, c->errors[i] * std::pow(static_cast<double>(steps[i]) / n1, order));
   if (!std::isfinite(least)) return;
   const double top = 0.3 * least, bottom = top * std::pow(n1 / n2, order);
@@ -86,20 +86,18 @@ std::string enhanced(const std::string& function) {
   return fmt::format("{}_{{{}}}", function.substr(0, underscore), function.substr(underscore + 1));
 }
 
-/// The CSV that the panels draw: a block a curve.
-std::string csv_of(const std::vector<Panel>& panels) {
-  std::string csv = "function,alpha,N,error\n";
-  bool first = true;
+/// What the panels draw: a series a curve, which function and alpha name.
+console::SeriesFile file_of(const std::string& figure, const std::vector<Panel>& panels) {
+  console::SeriesFile file(figure + ".csv", "function,alpha,N,error");
   for (const Panel& panel : panels)
     for (const Convergence* c : panel.cases) {
-      if (!first) csv += "\n\n";
-      first = false;
+      file.begin();
       for (std::size_t i = 0; i < c->steps.size(); ++i)
         if (c->errors[i] > 0)
-          csv += fmt::format("\"{}\",{},{},{}\n", c->statement.function, shortest(c->statement.alpha), c->steps[i],
-                             shortest(c->errors[i]));
+          file.add(fmt::format("\"{}\",{},{},{}", c->statement.function, shortest(c->statement.alpha), c->steps[i],
+                               shortest(c->errors[i])));
     }
-  return csv;
+  return file;
 }
 
 /// Decades that hold every error and the triangles below them.
@@ -144,7 +142,7 @@ console::Panel empty_panel(const std::vector<Panel>& panels) {
 }
 
 std::string drawn(const std::vector<Panel>& panels, const std::vector<std::string>& functions,
-                  const std::string& file) {
+                  const console::SeriesFile& file) {
   console::Plot plot{.layout = console::Layout{.rows = static_cast<int>((panels.size() + 3) / 3),
                                                .columns = 3,
                                                .left = 0.07,
@@ -154,7 +152,7 @@ std::string drawn(const std::vector<Panel>& panels, const std::vector<std::strin
                                                .between_columns = 0.055,
                                                .between_rows = 0.13},
                      .key_panel = "at graph 0.05,0.9 left top spacing 1.3 samplen 2"};
-  std::size_t block = 0;
+  std::size_t series = 0;
   for (const Panel& panel : panels) {
     plot.panels.push_back(empty_panel(panels));
     console::Panel& one = plot.panels.back();
@@ -162,8 +160,10 @@ std::string drawn(const std::vector<Panel>& panels, const std::vector<std::strin
     add_triangles(one, panel);
     for (const Convergence* c : panel.cases) {
       const auto function = std::find(functions.begin(), functions.end(), c->statement.function) - functions.begin();
-      one.curves.push_back(
-          {.file = file, .block = block++, .what = "3:4", .style = style(static_cast<std::size_t>(function))});
+      one.curves.push_back({.file = file.name(),
+                            .rows = file.rows(series++),
+                            .what = "3:4",
+                            .style = style(static_cast<std::size_t>(function))});
     }
   }
   for (std::size_t i = 0; i < functions.size(); ++i)
@@ -192,12 +192,13 @@ std::vector<console::Figure> convergence_figures(const std::vector<Convergence>&
     const std::vector<Panel> panels = panels_of(cases);
     if (panels.empty()) continue;
     const std::string& scheme = cases[0].statement.scheme;
-    const std::string name = fmt::format("{}-{}", prefix, file_word(scheme)), file = name + ".csv";
+    const std::string name = fmt::format("{}-{}", prefix, file_word(scheme));
+    const console::SeriesFile file = file_of(name, panels);
     figures.push_back(
         {.name = name,
          .caption = fmt::format("{}: error against the number of steps N; triangles: the stated order.", scheme),
          .script = drawn(panels, functions_of(panels), file),
-         .data = {{file, csv_of(panels)}},
+         .data = {file.data()},
          .width = 1050,
          .height = 330 * static_cast<int>((panels.size() + 3) / 3),
          .finding = finding(panels)});

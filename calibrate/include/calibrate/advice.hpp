@@ -2,8 +2,10 @@
 
 #include <calibrate/calibration.hpp>
 
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ricochet::calibration {
@@ -22,7 +24,9 @@ std::vector<Sensitivity> sensitivities(const AnyLaw& law, ContactEnd end, const 
 enum class Stepping {
   /// LAMMPS, LIGGGHTS, Yade, MercuryDPM: the force from the position at the end of the step and the velocity at its
   /// middle, a contact found only once the bodies overlap, the force clamped at zero where the contact ends by force.
-  /// First order in the step, because the touch is not located and the velocity lags.
+  /// First order in the step, because the touch is not located and the velocity lags. MFiX's default, 'EULER', takes
+  /// the velocity forward first and the position with it, which is the same with its velocity for the one at the
+  /// middle.
   half_step,
   /// liggghts-ricochet, fractional law ended by force only: touch and end are located. Second order.
   located
@@ -53,8 +57,18 @@ struct EngineStep {
   std::optional<double> step;  ///< [s]
 };
 
-/// For every engine that runs this law and ends it so, and whose stepping is known (not MFiX's): a row a bound.
+/// For every engine that runs this law and ends it so: a row a bound.
 std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Target& target);
+
+/// `engine_steps` of many contacts: t_col over the step depends on the law's kind, the end and e_n alone, so that those
+/// of one e_n are stepped once.
+class StepAdvisor {
+ public:
+  std::vector<EngineStep> operator()(const AnyLaw& law, ContactEnd end, const Target& target);
+
+ private:
+  std::map<std::tuple<std::size_t, ContactEnd, double>, std::vector<EngineStep>> known_;  // steps as t_col over them
+};
 
 /// π r √(ρ/G)/(0.1631ν + 0.8766) [s]: the time that a Rayleigh wave takes along half a sphere, of which engines' users
 /// take a share. Radius [m], density [kg/m³], Young's modulus [Pa] > 0, −1 < ν ≤ 0.5; throws std::invalid_argument.

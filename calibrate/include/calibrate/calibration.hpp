@@ -70,9 +70,10 @@ struct Infeasible {
   LawKind law;
   ContactEnd end;
   std::string reason;
-  /// What is out of range ("en", "stiffness"), its value and the range computed for it; empty: this end is not offered.
+  /// What is out of range ("en", "stiffness", "alpha"), its value and the range computed for it; empty: there is none.
   std::string quantity;
   double asked = 0, lowest = 0, highest = 0;
+  bool open = false;  ///< `highest` itself is out of reach
 };
 
 using Outcome = std::variant<Calibration, Infeasible>;

@@ -25,6 +25,9 @@ std::string_view name(const Scale& scale) noexcept;
 /// "en", "loss_factor", "damping_ratio", "alpha".
 std::string_view name(const Loss& loss) noexcept;
 
+/// What is told of an e_n out of reach said of the loss from which that e_n came; anything else as it is.
+Infeasible in_terms_of(Infeasible missed, const Loss& loss);
+
 /// What it comes to for one law and end: the target, and for the fractional law the k to hold where the scale is a
 /// stiffness. Infeasible where the loss is past `loss_limit`, e_n below 1e-300, or where no double carries the law.
 /// Throws std::invalid_argument for a value outside its domain, a law that has no such loss, and a scale whose t_col is

@@ -90,9 +90,12 @@ ContactSet contact_set(const Materials& materials, const std::vector<PairResult>
 struct SizeChoice {
   std::string engine, how;
   Kept kept;
-  bool written = false;  ///< by `export_contacts` for a set with ranges of radii
+  bool written = false;      ///< by `export_contacts` for a set with ranges of radii
+  std::string refusal = {};  ///< why it is not written for these pairs, where it else would be
 };
 std::vector<SizeChoice> size_choices(LawKind law);
+/// The same for these pairs, which are all: not every engine can be given every number.
+std::vector<SizeChoice> size_choices(const Materials& materials, const std::vector<PairResult>& pairs);
 /// What the engine's file keeps.
 Kept kept_by(std::string_view engine, LawKind law);
 

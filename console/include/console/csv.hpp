@@ -75,19 +75,22 @@ enum class Unknown {
 /// The columns of one file as its head names them, and its rows read by them; shared by threads.
 ///
 /// What a file may look like is decided here alone. Fields stand between commas, or between semicolons or tabs where
-/// the head does; there a number may have a decimal comma. Blanks around a field and a pair of double quotes are taken
-/// off; a quoted field may hold separators, but neither quotes nor line ends. A heading is a name as `CsvColumn` has
-/// it, in letters of any case and with blanks or dashes for its underscores, with a unit after it in brackets or
-/// parentheses ("v [mm/s]", "Velocity (m/s)"): another decimal multiple of the column's own is converted exactly,
+/// the head does; there a number may have a decimal comma, if the file's others have: the first rows tell which sign it
+/// is, and a number with the other one, or with both, is refused, since it may mean thousands. Blanks around a field
+/// and a pair of double quotes are taken off; a quoted field may hold separators, but neither quotes nor line ends. A
+/// heading is a name as `CsvColumn` has it, in letters of any case and with blanks or dashes for its underscores, with
+/// a unit after it in brackets or parentheses ("v [mm/s]", "Velocity (m/s)"): another decimal multiple of the column's
+/// own is converted exactly,
 /// without one the numbers are in the column's own.
 class CsvColumns {
  public:
   static constexpr std::size_t most = 64;  ///< columns of a file
 
   /// `accepted` must outlive it. Throws BadInput "file:line: column = x: must be one of …" where a column is none of
-  /// these, comes twice, has no known unit or is missing.
+  /// these, comes twice, has no known unit or is missing. Several of one name have different units, of which a file
+  /// has one. `rows` are the first of the file.
   CsvColumns(const std::string& file, const CsvHead& head, std::span<const CsvColumn> accepted,
-             Unknown unknown = Unknown::refused);
+             Unknown unknown = Unknown::refused, std::string_view rows = {});
 
   /// The headings of columns that are not read, as they stand.
   const std::vector<std::string>& ignored() const { return ignored_; }
@@ -101,14 +104,18 @@ class CsvColumns {
 
   /// The finite number that a field of that column spells, in the column's unit, rounded once.
   std::optional<double> number(std::size_t column, std::string_view field) const;
+  /// What of its signs is in doubt, to be said behind what is accepted: ", with a decimal comma as …"; else nothing.
+  std::string_view doubt(std::string_view field) const;
 
  private:
+  char sign_in(std::string_view rows) const;
+  std::string units_of(std::string_view name) const;
   std::optional<std::size_t> fields_of(std::string_view line, std::span<std::string_view> fields) const;
   std::optional<std::size_t> take(std::string_view heading, Unknown unknown);
   [[noreturn]] void refuse(std::string_view heading, std::size_t count) const;
 
   std::span<const CsvColumn> accepted_;
-  char separator_;
+  char separator_, decimal_sign_ = 0;
   std::vector<std::optional<std::size_t>> order_;  // the file's columns, without those that are ignored
   std::vector<std::string> ignored_;
   std::vector<std::optional<int>> exponents_;  // of ten, from the file's unit to the column's, where it has the column

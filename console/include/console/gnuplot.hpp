@@ -1,5 +1,7 @@
 #pragma once
 
+#include <console/plot.hpp>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -22,13 +24,41 @@ struct Axis {
   std::vector<std::string> names = {};  ///< in place of numbers, at 0, 1, 2, …
 };
 
+/// Rows of a file, counted from 0 below its header, first and last included.
+struct Rows {
+  std::size_t first = 0, last = 0;
+};
+
+/// A CSV of several series one below another, which a column names, and the rows that each series has.
+class SeriesFile {
+ public:
+  SeriesFile(std::string name, const std::string& header) : name_(std::move(name)), bytes_(header + "\n") {}
+
+  /// The rows from here on are the next series.
+  void begin() { begins_.push_back(rows_); }
+  void add(const std::string& row) {
+    bytes_ += row + "\n";
+    ++rows_;
+  }
+
+  /// Throws std::logic_error for a series without rows, which could not be drawn.
+  Rows rows(std::size_t series) const;
+  const std::string& name() const { return name_; }
+  DataFile data() const { return {name_, bytes_}; }
+
+ private:
+  std::string name_, bytes_;
+  std::vector<std::size_t> begins_ = {};
+  std::size_t rows_ = 0;
+};
+
 /// Columns of one of the figure's data files, of which the first line is a header; or, without a file, an expression.
 struct Curve {
   std::string file = {};
-  std::optional<std::size_t> block = {};  ///< of a file in which two blank lines end a block
-  std::string what = {};                  ///< the columns, "1:3" or "($2*1e3):5", or the expression, "0"
-  std::string style = {};                 ///< "lines lt 1 lw 2"
-  std::string title = {};                 ///< in the key of a panel that has one
+  std::optional<Rows> rows = {};  ///< those to draw; without: all
+  std::string what = {};          ///< the columns, "1:3" or "($2*1e3):5", or the expression, "0"
+  std::string style = {};         ///< "lines lt 1 lw 2"
+  std::string title = {};         ///< in the key of a panel that has one
 };
 
 /// Words at a place of the axes; `style` is where they stand to it and their colour, "right tc rgb '#767676'".
@@ -69,6 +99,10 @@ struct Plot {
   std::string key_panel = {};   ///< the place in one panel more, without axes, of a key
   std::vector<Curve> key = {};  ///< to these; without: to the first panel's curves
 };
+
+/// A panel that is the whole picture, with its key below it in rows, clear of the axis's label; `below` is the share
+/// of the picture's height that both take.
+Plot with_key_below(Panel panel, int rows, double below);
 
 /// The script of a Figure. Every panel says all that is said about it, nothing stays from the one before.
 std::string script_of(const Plot& plot);

@@ -10,7 +10,8 @@ namespace ricochet::console {
 /// Numbers with units, as people write them: "20us", "1 mm", "65GPa", "30deg", "1%". What a unit is worth is known here
 /// alone, for flags and for the heads of CSV files. `si` names the unit in which the number is handed on: "s", "m",
 /// "kg", "Pa", "m/s", "kg/m^3", "kg/s^2", "kg/s", "rad"; "" is a plain number, which may be a percentage. A number
-/// without unit is in `si` already.
+/// without unit is in `si` already. `count_unit` is a plain number of which a percentage makes no sense.
+inline constexpr std::string_view count_unit = "1";
 
 /// The finite number that the whole of `text` spells, rounded once but for degrees; else nothing.
 std::optional<double> parse_quantity(std::string_view text, std::string_view si);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -51,7 +52,9 @@ class Table {
 
   bool right_aligned(std::size_t column) const;  ///< as the renderings align it
 
-  std::string text() const;      ///< aligned columns, units in a line of their own under the names
+  /// Aligned columns, units in a line of their own under the names; where that is wider than a terminal, names and
+  /// then texts go over several lines, as caption and notes do.
+  std::string text() const;
   std::string csv() const;       ///< RFC 4180 with "\n" ends, header "name [unit]", numbers by shortest round trip
   std::string markdown() const;  ///< a pipe table
   std::string latex() const;     ///< a table environment with a tabular in the manner of booktabs
@@ -70,6 +73,13 @@ std::string shown(const Cell& cell, const Notation& notation);
 
 /// Number of character cells that UTF-8 text takes on a terminal (one a code point; combining marks are not used).
 std::size_t display_width(std::string_view utf8);
+
+/// What the text of tables and what is said beside them keep to.
+inline constexpr std::size_t terminal_width = 120;
+
+/// The text broken at spaces into lines of at most `width` character cells, each after the first indented by `indent`.
+/// A word that is longer stays whole.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width = terminal_width, std::size_t indent = 0);
 
 /// Several tables one after the other, separated by a blank line; in CSV each after the first is preceded by
 /// "# <caption>".

@@ -9,9 +9,11 @@
 #include <ricochet/collision/fractional_contact_table.hpp>
 #include <ricochet/collision/instant.hpp>
 #include <ricochet/collision/peer_damping.hpp>
+#include <ricochet/collision/reach.hpp>
 #include <ricochet/collision/reduction.hpp>
 #include <ricochet/collision/scale_and_loss.hpp>
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
+#include <ricochet/collision/tangential_restitution.hpp>
 #include <ricochet/collision/trace.hpp>
 #include <ricochet/contact/arms_block.hpp>
 #include <ricochet/contact/description.hpp>
@@ -23,6 +25,7 @@
 #include <ricochet/contact/laws.hpp>
 #include <ricochet/contact/mean_force.hpp>
 #include <ricochet/contact/power_law.hpp>
+#include <ricochet/contact/tangential.hpp>
 #include <ricochet/contact/vec3.hpp>
 #include <ricochet/fractional/collocation.hpp>
 #include <ricochet/fractional/decay_moments.hpp>

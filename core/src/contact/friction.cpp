@@ -1,12 +1,14 @@
+#include "disc_resistance.hpp"
+
 #include <ricochet/contact/friction.hpp>
 
 #include <ricochet/support/require.hpp>
-#include <ricochet/support/root.hpp>
 
 #include <algorithm>
-#include <optional>
 
 namespace ricochet {
+
+using contact::admits_stick, contact::resisted, contact::Speeds, contact::unit;
 
 Friction::Friction(double mu_static, double mu_dynamic, double decay, double rolling_arm)
     : mu_static_(mu_static), mu_dynamic_(mu_dynamic), decay_(decay), rolling_arm_(rolling_arm) {
@@ -19,67 +21,15 @@ Friction::Friction(double mu_static, double mu_dynamic, double decay, double rol
 
 namespace {
 
-// Speeds at the edge of the contact disc, both ≥ 0: x of sliding, y of spinning, λ = x/y.
-struct Speeds {
-  double x, y;
-};
-
-DiscFriction disc_friction(Speeds s) noexcept { return ricochet::disc_friction(s.x / s.y); }
-
-// Beyond this ratio λ is as good as 0 or ∞ in double precision.
-constexpr double far = 1e12;
-
-// Finds the speeds with x = X − αF(x/y), y = Y − β𝒯(x/y), the implicit step of friction. Nothing if there are none
-// above zero: then (X/α, Y/β) lies inside the limit curve and the contact sticks. The root is unique as (F, 𝒯) is the
-// gradient of a convex function.
-std::optional<Speeds> resisted(Speeds start, double alpha, double beta) noexcept {
-  const double X = start.x, Y = start.y;
-  if (X * beta + 1.5 * Y * alpha <= alpha * beta) return std::nullopt;  // the chord under the limit curve
-  if (Y * far <= X)
-    return X > alpha ? std::optional(Speeds{X - alpha, Y / (1 + beta / (4 * (X - alpha)))}) : std::nullopt;
-  if (X * far <= Y) {
-    const double y = Y - 2.0 / 3 * beta;
-    return y > 0 ? std::optional(Speeds{X / (1 + alpha / y), y}) : std::nullopt;
-  }
-  const auto mismatch = [&](double lambda) {
-    const DiscFriction f = ricochet::disc_friction(lambda);
-    return (X - alpha * f.force) - lambda * (Y - beta * f.torque);
-  };
-  // Widen from λ = X/Y until the root is bracketed: mismatch > 0 towards λ = 0 and < 0 towards λ = ∞.
-  double low = X / Y, high = low, at_low = mismatch(low), at_high = at_low;
-  while (at_low < 0 && low > 1 / (far * far)) high = low, at_high = at_low, low /= 4, at_low = mismatch(low);
-  while (at_high > 0 && high < far * far) low = high, at_low = at_high, high *= 4, at_high = mismatch(high);
-  double lambda = at_low == 0 ? low : high;
-  if (at_low > 0 && at_high < 0) lambda = support::root(mismatch, low, high, at_low, at_high, {.relative = 0x1p-49});
-  const DiscFriction f = ricochet::disc_friction(lambda);
-  const Speeds end{X - alpha * f.force, Y - beta * f.torque};
-  return end.x > 0 && end.y > 0 ? std::optional(end) : std::nullopt;
-}
-
-// Whether the limit curve holds (force, torque), both in units of the sliding limit.
-bool admits_stick(double force, double torque) noexcept {
-  if (force > 1 || torque > 2.0 / 3) return false;
-  if (force + 1.5 * torque <= 1) return true;
-  // Motion along (force, torque) itself would be resisted by less: outside for certain. Most cases end here.
-  const DiscFriction f = ricochet::disc_friction(force / torque);
-  if (force * force + torque * torque > force * f.force + torque * f.torque) return false;
-  return !resisted({force, torque}, 1, 1);
-}
-
 struct Slide {
   Vec3 impulse;
   double torsion = 0;
   bool sticks = false;
 };
 
-Vec3 unit(Vec3 a) noexcept {
-  const double length = norm(a);
-  return length > 0 ? a / length : Vec3{};
-}
-
 // Friction of the disc against the motion `at`, with impulse limit μN.
 Slide against(Vec3 direction, double spin_sign, Speeds at, double limit, double radius) noexcept {
-  const DiscFriction f = disc_friction(at);
+  const DiscFriction f = disc_friction(at.x / at.y);
   return {-limit * f.force * direction, -limit * radius * f.torque * spin_sign, false};
 }
 

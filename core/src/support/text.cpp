@@ -30,7 +30,11 @@ void append_shortest(std::string& text, double value) {
 
 std::string significant(double value, int digits) { return convert(value, std::chars_format::general, digits); }
 
-std::string fixed(double value, int digits) { return convert(value, std::chars_format::fixed, digits); }
+std::string fixed(double value, int digits) {
+  std::string text = convert(value, std::chars_format::fixed, digits);
+  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
+  return text;
+}
 
 std::string scientific(double value, int digits) { return convert(value, std::chars_format::scientific, digits); }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -75,18 +76,18 @@ std::string last_speed(const Run& run) {
   return fmt::format("{} m/s", console::significant(std::hypot(v.x, v.y, v.z), 3));
 }
 
-/// Spin of sphere 1 in the frame of its contact with sphere 5, while the two collide; a block a run.
-DataFile local_spins(const Run& strong, const Run& weak) {
-  std::string csv = "t [s],w_xi [1/s],w_eta [1/s],w_zeta [1/s]\n";
+/// Spin of sphere 1 in the frame of its contact with sphere 5, while the two collide; a series a run.
+console::SeriesFile local_spins(const Run& strong, const Run& weak) {
+  console::SeriesFile file("cluster-local-spins.csv", "t [s],w_xi [1/s],w_eta [1/s],w_zeta [1/s],repulsion");
   for (const Run* run : {&strong, &weak}) {
-    if (run == &weak) csv += "\n\n";
+    file.begin();
     for (const auto& [time, spin] : spins_against(*run, 0, 4)) {
-      csv += shortest(time);
-      add(csv, spin);
-      csv += "\n";
+      std::string row = shortest(time);
+      add(row, spin);
+      file.add(row + (run == &strong ? ",strong" : ",weak"));
     }
   }
-  return {"cluster-local-spins.csv", csv};
+  return file;
 }
 
 /// One component: where it is drawn from, its colour and name.
@@ -95,8 +96,9 @@ struct Component {
   int column = 0, colour = 0;
 };
 
-/// Dashed in the strong state, solid in the weak one; the states are two files, or two blocks of `file`.
-Panel panel(const std::string& label, std::initializer_list<Component> components, const std::string& file = {}) {
+/// Dashed in the strong state, solid in the weak one; the states are two files, or two series of `file`.
+Panel panel(const std::string& label, std::initializer_list<Component> components,
+            const console::SeriesFile* file = nullptr) {
   Panel panel{.y = {.label = label, .minor_tics = false},
               .key = "outside right center samplen 2",
               .room = "0,0,graph 0.05,graph 0.05"};
@@ -106,17 +108,34 @@ Panel panel(const std::string& label, std::initializer_list<Component> component
                   .what = fmt::format("(1000*$1):{}", c.column),
                   .style = fmt::format("lines lw 2 {} lc rgb '{}'", weak ? "dt 1" : "dt (6,4)", colours[c.colour]),
                   .title = fmt::format("{}, {}", c.name, weak ? "weak" : "strong")};
-      if (!file.empty()) curve.file = file, curve.block = weak ? 1 : 0;
+      if (file) curve.file = file->name(), curve.rows = file->rows(weak ? 1 : 0);
       panel.curves.push_back(curve);
     }
   return panel;
 }
 
+/// What the picture has to hold of one axis.
+using Extent = std::pair<double, double>;
+
+/// Of all that the spheres reach in both runs, whole where they start, and a little more.
+Extent extent(const Run& strong, const Run& weak, double Vec3::*axis) {
+  constexpr double room = 0.01;  // m
+  Extent held{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  const auto hold = [&](double at, double around) {
+    held = {std::min(held.first, at - around), std::max(held.second, at + around)};
+  };
+  for (const Sphere& sphere : five_spheres(strong.law).spheres) hold(sphere.position.*axis, sphere.radius + room);
+  for (const Run* run : {&strong, &weak})
+    for (const Sample& s : run->samples)
+      for (std::size_t i = 0; i < 5; ++i) hold(s.position[i].*axis, room);
+  return held;
+}
+
 /// The five ways of one run, seen along x, and where they begin.
-Panel ways(const char* title, const char* file) {
+Panel ways(const char* title, const char* file, Extent y, Extent z) {
   Panel panel{.title = title,
-              .x = {.label = "y [m]", .range = std::pair(-0.01, 0.2), .tics = 0.04, .minor_tics = false},
-              .y = {.label = "z [m]", .range = std::pair(0.0, 0.26), .tics = 0.04, .minor_tics = false},
+              .x = {.label = "y [m]", .range = y, .tics = 0.04, .minor_tics = false},
+              .y = {.label = "z [m]", .range = z, .tics = 0.04, .minor_tics = false},
               .key = "bottom right samplen 1.5",
               .equal_scales = true};
   panel.curves = {{.file = "cluster-start.csv", .what = "1:2:3", .style = "circles lc rgb '#767676' fs empty"},
@@ -134,9 +153,10 @@ Panel ways(const char* title, const char* file) {
 }  // namespace
 
 Figure trajectories(const Run& strong, const Run& weak) {
+  const Extent y = extent(strong, weak, &Vec3::y), z = extent(strong, weak, &Vec3::z);
   console::Plot plot{
-      .panels = {ways("strong repulsion, α = 0.01", "cluster-strong.csv"),
-                 ways("weak repulsion, α = 0.97", "cluster-weak.csv")},
+      .panels = {ways("strong repulsion, α = 0.01", "cluster-strong.csv", y, z),
+                 ways("weak repulsion, α = 0.97", "cluster-weak.csv", y, z)},
       .layout = console::Layout{
           .columns = 2, .left = 0.10, .right = 0.98, .bottom = 0.14, .top = 0.94, .between_columns = 0.08}};
   plot.panels.back().y.label = "";
@@ -146,7 +166,7 @@ Figure trajectories(const Run& strong, const Run& weak) {
       .script = console::script_of(plot),
       .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), circles(strong)},
       .width = 900,
-      .height = 560,
+      .height = 600,
       .finding = fmt::format("Sphere 1 comes from above and drives the others apart: {} under strong, {} under weak "
                              "repulsion.",
                              farthest(strong), farthest(weak))};
@@ -154,11 +174,12 @@ Figure trajectories(const Run& strong, const Run& weak) {
 
 Figure velocities(const Run& strong, const Run& weak) {
   // Along z sphere 1 is an order of magnitude faster than across: a panel of its own.
+  const console::SeriesFile spins = local_spins(strong, weak);
   std::vector<Panel> panels{
       panel("v_x, v_y [m/s]", {{"v_x", column(1, 3), 0}, {"v_y", column(1, 4), 1}}),
       panel("v_z [m/s]", {{"v_z", column(1, 5), 2}}),
       panel("ω_x, ω_y, ω_z [1/s]", {{"ω_x", column(1, 6), 0}, {"ω_y", column(1, 7), 1}, {"ω_z", column(1, 8), 2}}),
-      panel("ω_ξ, ω_η against 5 [1/s]", {{"ω_ξ", 2, 3}, {"ω_η", 3, 4}}, "cluster-local-spins.csv")};
+      panel("ω_ξ, ω_η against 5 [1/s]", {{"ω_ξ", 2, 3}, {"ω_η", 3, 4}}, &spins)};
   for (Panel& p : panels) p.x = {.range = std::pair(0.0, 1e3 * strong.samples.back().time), .format = ""};
   panels.back().x.format = {};
   panels.back().x.label = "t [ms]";
@@ -171,7 +192,7 @@ Figure velocities(const Run& strong, const Run& weak) {
                .layout =
                    console::Layout{
                        .rows = 4, .left = 0.12, .right = 0.81, .bottom = 0.07, .top = 0.98, .between_rows = 0.03}}),
-          .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), local_spins(strong, weak)},
+          .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), spins.data()},
           .width = 900,
           .height = 980,
           .finding =

@@ -62,46 +62,47 @@ Table work_table(const std::vector<SolverConvergence>& all) {
   return table;
 }
 
-std::string work_csv(const std::vector<SolverConvergence>& all) {
-  std::string csv = "scheme,N,multiplications,error of e_n\n";
+console::SeriesFile work_file(const std::vector<SolverConvergence>& all) {
+  console::SeriesFile file("collision-work.csv", "scheme,N,multiplications,error of e_n");
   for (const SolverConvergence& s : all) {
-    if (&s != &all.front()) csv += "\n\n";
+    file.begin();
     for (std::size_t i = 0; i < s.en.steps.size(); ++i)
       if (s.en.errors[i] > 0)
-        csv += fmt::format("\"{}\",{},{},{}\n", name(s.scheme), s.en.steps[i], console::shortest(s.multiplications[i]),
-                           console::shortest(s.en.errors[i]));
+        file.add(fmt::format("\"{}\",{},{},{}", name(s.scheme), s.en.steps[i], console::shortest(s.multiplications[i]),
+                             console::shortest(s.en.errors[i])));
   }
-  return csv;
+  return file;
 }
 
 /// A ring around the point of thirty steps.
-console::Curve ring(std::size_t block) {
-  return {.file = "collision-work.csv",
-          .block = block,
+console::Curve ring(const console::SeriesFile& file, std::size_t series) {
+  return {.file = file.name(),
+          .rows = file.rows(series),
           .what = fmt::format("3:($2 == {} ? $4 : NaN)", paper::steps),
           .style = "points pt 6 ps 2 lc rgb 'black'",
-          .title = block == 0 ? "N = 30, as many as in the paper" : ""};
+          .title = series == 0 ? "N = 30, as many as in the paper" : ""};
 }
 
 console::Figure work_figure(const std::vector<SolverConvergence>& all) {
+  const console::SeriesFile file = work_file(all);
   console::Panel panel{
       .x = {.label = "multiplications a collision", .log = true, .range = std::pair(10.0, 2e7), .format = "10^{%L}"},
       .y = {.label = "relative error of e_n", .log = true, .range = std::pair(1e-15, 2.0), .format = "10^{%L}"},
       .key = "outside right top"};
-  for (std::size_t block = 0; block < all.size(); ++block) {
-    panel.curves.push_back({.file = "collision-work.csv",
-                            .block = block,
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    panel.curves.push_back({.file = file.name(),
+                            .rows = file.rows(i),
                             .what = "3:4",
-                            .style = fmt::format("linespoints lw 2 ps 0.8 pt {} lc {}", block + 4, block + 1),
-                            .title = std::string(name(all[block].scheme))});
-    if (all[block].scheme != FractionalScheme::collocation) panel.curves.push_back(ring(block));
+                            .style = fmt::format("linespoints lw 2 ps 0.8 pt {} lc {}", i + 4, i + 1),
+                            .title = std::string(name(all[i].scheme))});
+    if (all[i].scheme != FractionalScheme::collocation) panel.curves.push_back(ring(file, i));
   }
   return {.name = "collision-work",
           .caption =
               "Error of the restitution against the multiplications a collision costs, for every solver at "
               "alpha = 0.25; circles: 30 steps a contact.",
           .script = console::script_of({.panels = {panel}}),
-          .data = {{"collision-work.csv", work_csv(all)}},
+          .data = {file.data()},
           .width = 1000,
           .height = 560};
 }

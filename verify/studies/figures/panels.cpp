@@ -31,15 +31,15 @@ const Scale& scale_of(Quantity quantity) {
   return scales[static_cast<std::size_t>(quantity) - static_cast<std::size_t>(Quantity::time)];
 }
 
-std::string csv_of(const std::vector<Path>& paths) {
-  std::string csv = "curve,t [1e-6 s],overlap [1e-6 m],velocity [m/s],force [N]\n";
+console::SeriesFile file_of(const std::string& figure, const std::vector<Path>& paths) {
+  console::SeriesFile file(figure + ".csv", "curve,t [1e-6 s],overlap [1e-6 m],velocity [m/s],force [N]");
   for (const Path& path : paths) {
-    if (&path != &paths.front()) csv += "\n\n";
+    file.begin();
     for (const Instant& p : path.points)
-      csv += fmt::format("\"{}\",{},{},{},{}\n", path.title, shortest(p.time * 1e6), shortest(p.overlap * 1e6),
-                         shortest(p.rate), shortest(p.force));
+      file.add(fmt::format("\"{}\",{},{},{},{}", path.title, shortest(p.time * 1e6), shortest(p.overlap * 1e6),
+                           shortest(p.rate), shortest(p.force)));
   }
-  return csv;
+  return file;
 }
 
 /// The distance of an axis's tics, 1, 2 or 5 times a power of ten: left to itself gnuplot sets so many that their
@@ -63,9 +63,9 @@ std::pair<double, double> taken(const std::vector<const Path*>& paths, const Sca
   return {low > -1e-9 * high ? 0 : 1.03 * low, 1.03 * high};
 }
 
-/// One panel; `first` is the first of all paths, which the CSV counts its blocks from.
-console::Panel panel_of(const std::vector<const Path*>& paths, const Path* first, const std::string& file, Axes axes,
-                        const Ranges& ranges) {
+/// One panel; `first` is the first of all paths, which the file's series are counted from.
+console::Panel panel_of(const std::vector<const Path*>& paths, const Path* first, const console::SeriesFile& file,
+                        Axes axes, const Ranges& ranges) {
   const auto axis = [&](Quantity quantity, const char* label_offset) {
     const Scale& scale = scale_of(quantity);
     const auto shown = (ranges.*scale.range).value_or(taken(paths, scale));
@@ -73,8 +73,8 @@ console::Panel panel_of(const std::vector<const Path*>& paths, const Path* first
   };
   console::Panel panel{.x = axis(axes.x, "0,0.5"), .y = axis(axes.y, "1,0"), .zero_line = true};
   for (const Path* path : paths)
-    panel.curves.push_back({.file = file,
-                            .block = static_cast<std::size_t>(path - first),
+    panel.curves.push_back({.file = file.name(),
+                            .rows = file.rows(static_cast<std::size_t>(path - first)),
                             .what = fmt::format("{}:{}", static_cast<int>(axes.x), static_cast<int>(axes.y)),
                             .style = path->style,
                             .title = path->title});
@@ -91,7 +91,7 @@ std::string line(std::size_t i, const std::string& dash) {
 
 console::Figure panels(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
                        std::span<const Axes> rows, const std::vector<Column>& columns) {
-  const std::string file = name + ".csv";
+  const console::SeriesFile file = file_of(name, paths);
   const int width = 400 * static_cast<int>(columns.size());
   const double labels = 96.0 / width;  // what the labels of a column need
   console::Plot plot{.layout = console::Layout{.rows = static_cast<int>(rows.size()),
@@ -115,14 +115,14 @@ console::Figure panels(const std::string& name, const std::string& caption, cons
   return {.name = name,
           .caption = caption,
           .script = script_of(plot),
-          .data = {{file, csv_of(paths)}},
+          .data = {file.data()},
           .width = width,
           .height = 320 * static_cast<int>(rows.size())};
 }
 
 console::Figure overlaid(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
                          std::span<const Axes, 3> axes, const Ranges& ranges) {
-  const std::string file = name + ".csv";
+  const console::SeriesFile file = file_of(name, paths);
   std::vector<const Path*> all;
   all.reserve(paths.size());
   for (const Path& path : paths) all.push_back(&path);
@@ -136,12 +136,8 @@ console::Figure overlaid(const std::string& name, const std::string& caption, co
                                                .between_rows = 0.12},
                      .key_panel = "at graph 0.02,0.98 left top maxrows 6 font ',13' spacing 1.4 samplen 3"};
   for (const Axes& a : axes) plot.panels.push_back(panel_of(all, paths.data(), file, a, ranges));
-  return {.name = name,
-          .caption = caption,
-          .script = script_of(plot),
-          .data = {{file, csv_of(paths)}},
-          .width = 960,
-          .height = 760};
+  return {
+      .name = name, .caption = caption, .script = script_of(plot), .data = {file.data()}, .width = 960, .height = 760};
 }
 
 std::vector<Instant> closed_form(const Fractional& law, const Impact& impact, double until) {

@@ -14,7 +14,7 @@
 
 namespace ricochet::verify::figures {
 
-/// One motion of a figure; a block of the figure's CSV.
+/// One motion of a figure; a series of the figure's CSV.
 struct Path {
   std::string title;
   std::vector<Instant> points;

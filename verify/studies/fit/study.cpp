@@ -95,11 +95,10 @@ console::Figure figure_of(const Source& source, const std::vector<Measurement>& 
                fits[5].predictions[i].en});
   const console::Panel panel{.x = {.label = "impact velocity [m/s]", .log = true},
                              .y = {.label = "restitution", .range = std::pair(0.0, 1.0)},
-                             .curves = curves,
-                             .key = "below maxcols 2"};
+                             .curves = curves};
   return {source.file,
           fmt::format("Laws fitted to {}.", source.label),
-          console::script_of({.panels = {panel}}),
+          console::script_of(console::with_key_below(panel, 2, 0.26)),
           {{file, table.csv()}}};
 }
 

@@ -75,7 +75,6 @@ console::Figure error_figure(const std::vector<Curve>& curves, const std::vector
   }
   console::Panel panel{.x = {.label = "restitution asked", .range = std::pair(0.0, 1.0)},
                        .y = {.label = "restitution obtained - asked", .range = std::pair(-0.02, 0.2)},
-                       .key = "below maxcols 2",
                        .zero_line = true};
   for (const Drawn& d : drawn) {
     const auto line = panel.curves.size() + 1;
@@ -86,7 +85,7 @@ console::Figure error_figure(const std::vector<Curve>& curves, const std::vector
   }
   return {.name = "peers-error",
           .caption = "Restitution obtained less restitution asked, for the formulas that engines use.",
-          .script = console::script_of({.panels = {panel}}),
+          .script = console::script_of(console::with_key_below(panel, 6, 0.36)),
           .data = {{"peers-error.csv", csv}},
           .width = 900,
           .height = 560};

@@ -17,7 +17,7 @@ void append_shortest(std::string& text, double value);
 /// `value` with `digits` significant digits, in fixed or scientific notation as printf's %g chooses.
 std::string significant(double value, int digits);
 
-/// `value` with `digits` digits after the point.
+/// `value` with `digits` digits after the point; what rounds to 0 has no sign.
 std::string fixed(double value, int digits);
 
 /// `value` as d.ddde±xx with `digits` digits after the point.
