@@ -1,11 +1,14 @@
 #include "measured.hpp"
 
+#include <console/csv.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace ricochet::verify::oblique {
 
@@ -16,7 +19,6 @@ using console::Table;
 
 constexpr const char* first_reading = "oblique_kharaz2001.csv";
 constexpr const char* second_reading = "oblique_kharaz2001_second_reading.csv";
-constexpr const char* chung_ooi_curve = "oblique_chung_ooi2011_test4.csv";
 
 /// From here on the contact slides for a good part of the impact.
 constexpr double oblique_from = 9;  // degrees
@@ -48,6 +50,26 @@ double readings_apart(const std::vector<Point>& first, const std::vector<Point>&
     most = std::max(most, std::abs(p.value - same.value - prediction(along, p) + prediction(along, same)));
   }
   return most;
+}
+
+/// The reference curves of test 4, each read off at its own angles.
+std::vector<Point> chung_ooi_curves() {
+  using console::CsvColumn;
+  constexpr std::array columns{CsvColumn{"angle1", "deg", true}, CsvColumn{"et", "", true},
+                               CsvColumn{"angle2", "deg", true}, CsvColumn{"omega", "1/s", true},
+                               CsvColumn{"angle3", "deg", true}, CsvColumn{"rebound_angle", "deg", true}};
+  console::CsvReader file(data_folder() + "/chung_ooi2011_test4_reference.csv", columns);
+  std::vector<Point> points;
+  while (file.next()) {
+    points.push_back({"et", file.number(0), file.number(1)});
+    points.push_back({"spin", file.number(2), -file.number(3)});
+    points.push_back({"angle", file.number(4), file.number(5)});
+  }
+  std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+    constexpr std::string_view order = "et spin angle";
+    return order.find(a.quantity) < order.find(b.quantity);
+  });
+  return points;
 }
 
 Table measured_table(const std::vector<Point>& first, const std::vector<Point>& second) {
@@ -113,7 +135,7 @@ void compare_with_chung_ooi(StudyResult& result) {
       {{"quantity"}, {"impact angle", "deg", four}, {"reference", "", four}, {"mindlin", "", four}},
       "Test 4 of Chung & Ooi (2011): their reference curves and the same materials by Tsuji's and Mindlin's laws");
   double et = 0, spin = 0, angle = 0, steep_reference = 0, steep_ours = 0;
-  for (const Point& p : read_points(chung_ooi_curve)) {
+  for (const Point& p : chung_ooi_curves()) {
     const double ours = value_of(rebound(contact, p.degrees), p.quantity, true), off = std::abs(ours - p.value);
     table.row({p.quantity, p.degrees, p.value, ours});
     if (p.quantity == "et" && steep_reference == 0) steep_reference = p.value, steep_ours = ours;
