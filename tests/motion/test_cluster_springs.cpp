@@ -1,5 +1,6 @@
 // Contacts with springs in the tangent plane.
 #include <catch2/catch.hpp>
+#include <ricochet/collision/oblique.hpp>
 
 #include "scenes.hpp"
 
@@ -138,6 +139,39 @@ TEST_CASE("an oblique impact on springs is met at second order, sticking, slidin
   CHECK(drift.order() > 1.8);
   CHECK(drift.order() < 2.2);
   CHECK(e.mean[3] < 3e-4);
+}
+
+TEST_CASE("a sphere that meets a wall tends to the exact oblique collision with the same contact point") {
+  const double stiff = 0.3 * k_t * r * r;
+  struct Case {
+    TangentialContact contact;
+    double order;
+  };
+  const auto sprung = [](const TangentialLaw& law, double mu, const Torsion& torsion, const Rolling& rolling) {
+    return TangentialContact{law, Friction(mu, mu, 0), torsion, rolling};
+  };
+  const Torsion twist{Torsion::Limit::separate, {stiff, 1e-6 * stiff}};
+  const auto [contact, order] = GENERATE_COPY(
+      Case{sprung(LinearTangential(k_t), 0.1, {}, {}), 2}, Case{sprung(LinearTangential(k_t, 4), 0.3, twist, {}), 2},
+      Case{sprung(LinearTangential(k_t), 0.2, twist, {0.05, {stiff, 1e-6 * stiff}}), 2},
+      Case{sprung(LinearTangential(k_t), 0.2, {}, {1, {stiff, 0}}), 2},
+      Case{sprung(MindlinTangential(4e9), 0.3, {}, {}), 1.5});
+  CAPTURE(std::string(name(contact.law)), contact.friction.mu_static(), contact.rolling.mu);
+  ClusterSetup setup = skew(true, contact.friction.mu_static(), contact.law, contact.rolling);
+  setup.interactions.at({0, 0}).torsion = contact.torsion;
+  const Sphere& s = setup.spheres[0];
+  const ObliqueImpact impact{{0, 0, -1}, {s.mass(), s.radius, s.velocity, s.spin}};
+  const ObliqueCollision exact = collide(Linear(k_n, 0), contact, impact, {.arm = ContactArm::contact_point});
+  REQUIRE(exact.separated());
+  const Errors e = errors([&](double step) {
+    const Motion m = after_meeting(setup, step);
+    return (norm(m.velocity - exact.velocity_i) + r * norm(m.spin - exact.spin_i)) / speed;
+  });
+  CAPTURE(e.order());
+  CHECK(e.order() > order - 0.25);
+  CHECK(e.order() < 2.3);
+  const Motion fine = after_meeting(setup, tcol / 50'000);
+  CHECK((norm(fine.velocity - exact.velocity_i) + r * norm(fine.spin - exact.spin_i)) / speed < 1e-6);
 }
 
 TEST_CASE("a slide that turns is met at second order") {

@@ -191,6 +191,8 @@ TEST_CASE("a mistake in springs is one line that says where, what, and what is a
   CHECK(said(R"("model": "mindlin", "k_t": 1, "torsion": true)") ==
         at + ": \"velocity\" is missing; these springs depend on the impact velocity for which they are made");
   CHECK(said(R"("k_t": 1)").find("k_t") != std::string::npos);
+  CHECK(said(R"("torsion": false)") == at + "/torsion = false: must be true with the model rigid");
+  CHECK(said(R"("torsion": true, "mu_rolling": 0.1)") == "accepted");
 }
 
 TEST_CASE("a mistake in a scene is told by line and column") {
