@@ -1,7 +1,5 @@
 #include "law.hpp"
 
-#include <ricochet/contact/laws.hpp>
-
 #include <stdexcept>
 #include <vector>
 
@@ -9,7 +7,7 @@ namespace ricochet::simulate {
 
 using console::Node;
 
-NormalLaw read_law(const Node& node) {
+AnyLaw read_law(const Node& node) {
   if (!node.json().is_object()) node.reject("an object with a law's name and parameters");
   const LawKind kind = *LawKind::named(node.at("name").one_of(Laws::names));
   std::vector<std::string_view> keys{"name"};

@@ -54,8 +54,9 @@ struct Sort {
 
 class Sorts {
  public:
-  Sorts(const LawsByTarget& laws, ClusterSetup& setup) {
-    for (const auto& [pair, law] : laws) sorted_.insert({pair.first, pair.second});
+  Sorts(const ByPair& by_pair, ClusterSetup& setup) {
+    for (const auto& [pair, law] : by_pair.laws) sorted_.insert({pair.first, pair.second});
+    for (const auto& [pair, asked] : by_pair.tangentials) sorted_.insert({pair.first, pair.second});
     for (Sphere& s : setup.spheres)
       s.material = place({s.material, by_size(s.material) ? s.radius : 1, by_size(s.material) ? s.density : 1});
     for (Wall& w : setup.walls) w.material = place({w.material, 0, 0});
@@ -75,13 +76,18 @@ class Sorts {
   std::vector<Sort> all_;
 };
 
-AnyLaw law_of(const LawByTarget& by, ContactEnd end, const Sort& a, const Sort& b) {
+PairOfBodies pair_of(const Sort& a, const Sort& b) {
   const Sort &grain = a.wall() ? b : a, &other = a.wall() ? a : b;
-  const double mass = other.wall() ? grain.mass() : grain.mass() / (1 + grain.mass() / other.mass());
-  const double radius = other.wall() ? grain.radius : grain.radius / (1 + grain.radius / other.radius);
-  const Impact impact{by.velocity, mass};
+  const auto effective = [&](double one, double two) { return other.wall() ? one : one / (1 + one / two); };
+  const auto inertia = [](const Sort& s) { return Sphere{.radius = s.radius, .density = s.density}.inertia(); };
+  return {effective(grain.mass(), other.mass()), effective(grain.radius, other.radius),
+          effective(inertia(grain), inertia(other))};
+}
+
+AnyLaw law_of(const LawByTarget& by, ContactEnd end, const PairOfBodies& pair) {
+  const Impact impact{by.velocity, pair.mass};
   Scale scale = by.scale;
-  if (auto* moduli = std::get_if<scale::Moduli>(&scale)) moduli->radius_eff = radius;
+  if (auto* moduli = std::get_if<scale::Moduli>(&scale)) moduli->radius_eff = pair.radius;
   try {
     const auto tcol = collision_time(by.kind, end, scale, by.en, impact);
     const auto unit = tcol ? unit_law(by.kind, by.en, end) : std::nullopt;
@@ -92,7 +98,11 @@ AnyLaw law_of(const LawByTarget& by, ContactEnd end, const Sort& a, const Sort& 
   by.place.complain(
       fmt::format("no double carries this law for bodies of effective mass {} kg; en and the scale must "
                   "be less extreme",
-                  console::significant(mass, 3)));
+                  console::significant(pair.mass, 3)));
+}
+
+const Node& place_of(const ByPair& by_pair) {
+  return by_pair.laws.empty() ? by_pair.tangentials.begin()->second.place : by_pair.laws.begin()->second.place;
 }
 
 /// The rounding of the parameters leaves no fractional law of e_n < 0.00317 that ends by overlap.
@@ -123,14 +133,14 @@ LawByTarget read_law_by_target(const Node& law) {
   return {kind, en, scale, law.has("velocity") ? law.at("velocity").positive() : 1, law};
 }
 
-void resolve(const LawsByTarget& laws, ClusterSetup& setup) {
-  if (laws.empty()) return;
+void resolve(const ByPair& by_pair, ClusterSetup& setup) {
+  if (by_pair.laws.empty() && by_pair.tangentials.empty()) return;
   const Interactions asked = setup.interactions;
-  const Sorts sorts(laws, setup);
+  const Sorts sorts(by_pair, setup);
   const auto& all = sorts.all();
   if (all.size() > most_sorts)
-    laws.begin()->second.place.complain(
-        fmt::format("{} sizes of bodies; laws by target must meet at most {}", all.size(), most_sorts));
+    place_of(by_pair).complain(
+        fmt::format("{} sizes of bodies; what is each pair's own must meet at most {}", all.size(), most_sorts));
   setup.interactions.clear();
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i; j < all.size(); ++j) {
@@ -138,7 +148,12 @@ void resolve(const LawsByTarget& laws, ClusterSetup& setup) {
       const auto interaction = asked.find(pair);
       if (interaction == asked.end() || (all[i].wall() && all[j].wall())) continue;
       Interaction own = interaction->second;
-      if (const auto by = laws.find(pair); by != laws.end()) own.law = law_of(by->second, own.end, all[i], all[j]);
+      const PairOfBodies bodies = pair_of(all[i], all[j]);
+      std::optional<AnyLaw> normal;
+      if (const auto by = by_pair.laws.find(pair); by != by_pair.laws.end())
+        normal = law_of(by->second, own.end, bodies), own.law = *normal;
+      if (const auto springs = by_pair.tangentials.find(pair); springs != by_pair.tangentials.end())
+        set_tangential(springs->second, normal.value_or(springs->second.normal), bodies, own);
       setup.interactions.emplace(std::pair(i, j), own);
     }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "friction.hpp"
+
 #include <console/node.hpp>
 #include <ricochet/collision/scale_and_loss.hpp>
 #include <ricochet/motion/bodies.hpp>
@@ -22,6 +24,12 @@ struct LawByTarget {
 /// Laws by target of the setup's interactions, by their pair of materials.
 using LawsByTarget = std::map<std::pair<std::size_t, std::size_t>, LawByTarget>;
 
+/// All that bodies of other sizes have otherwise.
+struct ByPair {
+  LawsByTarget laws;
+  TangentialsAsked tangentials;
+};
+
 /// Whether the object says what the collisions shall do instead of the law's parameters.
 bool is_by_target(const console::Node& law);
 
@@ -29,9 +37,9 @@ bool is_by_target(const console::Node& law);
 /// also where the velocity is missing and the law depends on it.
 LawByTarget read_law_by_target(const console::Node& law);
 
-/// Gives every pair of bodies its own law: bodies of materials with a law by target are sorted by radius and density,
-/// each sort becomes a material of its own, and every interaction is repeated for the sorts. Without such laws the
-/// setup stays as it is. Throws console::BadInput for more than 200 sorts, and where no double carries a pair's law.
-void resolve(const LawsByTarget& laws, ClusterSetup& setup);
+/// Gives every pair of bodies its own law and springs: bodies of materials with such are sorted by radius and density,
+/// each sort becomes a material of its own, and every interaction is repeated for the sorts. Without any the setup
+/// stays as it is. Throws console::BadInput for more than 200 sorts, and where no double carries a pair's law.
+void resolve(const ByPair& by_pair, ClusterSetup& setup);
 
 }  // namespace ricochet::simulate

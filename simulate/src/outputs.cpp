@@ -42,14 +42,14 @@ Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:velo:R:3:angular_velocity:R:3
 }
 
 std::string energy_header() {
-  return "t [s],kinetic [J],gravity [J],stored [J],lost_normal [J],lost_friction [J],total [J],contacts\n";
+  return "t [s],kinetic [J],gravity [J],stored [J],lost_normal [J],lost_friction [J],total [J],contacts,strained [J]\n";
 }
 
 std::string energy_row(const Cluster& cluster) {
   const ClusterEnergy e = cluster.energy();
-  return fmt::format("{},{},{},{},{},{},{},{}\n", shortest(cluster.time()), shortest(e.kinetic), shortest(e.gravity),
+  return fmt::format("{},{},{},{},{},{},{},{},{}\n", shortest(cluster.time()), shortest(e.kinetic), shortest(e.gravity),
                      shortest(e.stored), shortest(e.lost_normal), shortest(e.lost_friction), shortest(e.total()),
-                     cluster.contacts().size());
+                     cluster.contacts().size(), shortest(e.strained));
 }
 
 std::string contact_header() { return "i,j,t_begin [s],t_end [s],t_separation [s],ended,phases\n"; }

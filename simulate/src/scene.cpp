@@ -1,5 +1,6 @@
 #include <simulate/scene.hpp>
 
+#include "friction.hpp"
 #include "law.hpp"
 #include "law_by_target.hpp"
 #include "passage.hpp"
@@ -55,16 +56,24 @@ const Material& material_of(const Node& node, const Materials& materials) {
   node.reject(fmt::format("one of the materials {}", fmt::join(known, ", ")));
 }
 
-Friction read_friction(const Node& node) {
-  node.allow({"mu_static", "mu_dynamic", "decay", "rolling_arm"});
-  const double mu_static = node.at("mu_static").not_negative();
-  const double mu_dynamic = node.has("mu_dynamic") ? node.at("mu_dynamic").not_negative() : mu_static;
-  if (mu_dynamic > mu_static) node.at("mu_dynamic").reject("at most mu_static");
-  return Friction(mu_static, mu_dynamic, node.has("decay") ? node.at("decay").not_negative() : 0,
-                  node.has("rolling_arm") ? node.at("rolling_arm").not_negative() : 0);
+// Springs that are each pair's own are set pair by pair.
+void read_tangent_plane(const Node& entry, std::pair<std::size_t, std::size_t> pair, const AnyLaw& normal,
+                        const std::optional<LawByTarget>& target, ByPair& by_pair, Interaction& interaction) {
+  const Node friction = entry.at("friction");
+  interaction.friction = read_friction(friction);
+  std::optional<TangentialAsked> asked = read_tangential(friction);
+  if (!asked) return;
+  asked->normal = normal;
+  if (target && entry.at("law").has("velocity") && !asked->velocity) asked->velocity = target->velocity;
+  if (target)
+    if (const auto* moduli = std::get_if<scale::Moduli>(&target->scale)) asked->solid = *moduli;
+  if (asked->by_pair() || target)
+    by_pair.tangentials.emplace(pair, *asked);
+  else
+    set_tangential(*asked, normal, {}, interaction);
 }
 
-Interactions read_interactions(const Node& node, const Materials& materials, LawsByTarget& by_target) {
+Interactions read_interactions(const Node& node, const Materials& materials, ByPair& by_pair) {
   Interactions interactions;
   for (std::size_t k = 0; k < node.size(); ++k) {
     const Node entry = node.at(k);
@@ -74,12 +83,13 @@ Interactions read_interactions(const Node& node, const Materials& materials, Law
     const auto pair =
         std::minmax(material_of(between.at(0), materials).index, material_of(between.at(1), materials).index);
     const Node law = entry.at("law");
-    const bool target = is_by_target(law);
-    Interaction interaction{target ? NormalLaw(Linear(1, 0)) : read_law(law)};  // one by target is set pair by pair
-    if (target) by_target.emplace(pair, read_law_by_target(law));
+    const std::optional<LawByTarget> target = is_by_target(law) ? std::optional(read_law_by_target(law)) : std::nullopt;
+    const AnyLaw normal = target ? AnyLaw(Linear(1, 0)) : read_law(law);  // one by target is set pair by pair
+    Interaction interaction{normal};
+    if (target) by_pair.laws.emplace(pair, *target);
     if (law.has("end") && law.at("end").one_of({"force", "overlap"}) == "overlap")
       interaction.end = ContactEnd::overlap;
-    if (entry.has("friction")) interaction.friction = read_friction(entry.at("friction"));
+    if (entry.has("friction")) read_tangent_plane(entry, pair, normal, target, by_pair, interaction);
     if (entry.has("breakage_energy")) interaction.breakage_energy = entry.at("breakage_energy").not_negative();
     if (!interactions.emplace(pair, interaction).second) between.reject("a pair that is given once");
   }
@@ -221,8 +231,8 @@ Scene read_scene(const std::string& file, const std::string& text) {
   if (root.has("title")) root.at("title").text();
   Scene scene;
   const Materials materials = read_materials(root.at("materials"));
-  LawsByTarget by_target;
-  scene.setup.interactions = read_interactions(root.at("interactions"), materials, by_target);
+  ByPair by_pair;
+  scene.setup.interactions = read_interactions(root.at("interactions"), materials, by_pair);
   if (root.has("gravity")) scene.setup.gravity = root.at("gravity").vector();
   read_spheres(root.at("spheres"), materials, scene);
   read_walls(root, materials, scene);
@@ -230,7 +240,7 @@ Scene read_scene(const std::string& file, const std::string& text) {
     scene.options.reclosing = Reclosing::silent;
   check_pairs(root, materials, scene);
   check_apart(root, scene.setup);
-  resolve(by_target, scene.setup);
+  resolve(by_pair, scene.setup);
   choose_step(root, scene);
   scene.remark = look_ahead(root, scene);
   scene.fingerprint = fingerprint(json.dump());

@@ -15,7 +15,7 @@ namespace {
 using console::Json;
 using console::Node;
 
-constexpr const char* schema = "ricochet/state/3";
+constexpr const char* schema = "ricochet/state/4";
 constexpr auto any_integer = std::numeric_limits<std::int64_t>::max();
 
 Json json(double value) { return console::number_or_null(value); }  // only `never` is infinite
@@ -53,7 +53,10 @@ Json json(const ContactState& c, const ContactMemory& memory) {
           {"rolling", json(c.friction.rolling)},
           {"stored", c.stored},
           {"impact_rate", c.impact_rate},
-          {"speed_scale", c.speed_scale}};
+          {"speed_scale", c.speed_scale},
+          {"elongation",
+           {{"slide", json(c.elongation.slide)}, {"twist", c.elongation.twist}, {"roll", json(c.elongation.roll)}}},
+          {"strained", c.strained}};
 }
 
 void expect_length(const Node& array, std::size_t length, const std::string& of_what) {
@@ -90,11 +93,21 @@ void read_record(const Node& node, Encounter& r) {
   for (std::size_t k = 0; k < phase_count; ++k) r.phase_begin[k] = time_or_never(phases.at(k));
 }
 
-const NormalLaw& law_between(const Scene& scene, const Encounter& r) {
+const Interaction& interaction_between(const Scene& scene, const Encounter& r) {
   const auto& spheres = scene.setup.spheres;
   const std::size_t a = spheres[r.i].material;
   const std::size_t b = r.j < spheres.size() ? spheres[r.j].material : scene.setup.walls[r.j - spheres.size()].material;
-  return scene.setup.interactions.at(std::minmax(a, b)).law;
+  return scene.setup.interactions.at(std::minmax(a, b));
+}
+
+void read_springs(const Node& node, bool compliant, ContactState& c) {
+  const Node elongation = node.at("elongation");
+  elongation.allow({"slide", "twist", "roll"});
+  c.elongation = {elongation.at("slide").vector(), elongation.at("twist").number(), elongation.at("roll").vector()};
+  c.strained = node.at("strained").not_negative();
+  if (compliant) return;
+  if (c.elongation != Elongation{}) elongation.reject("zero where friction is rigid");
+  if (c.strained != 0) node.at("strained").reject("0 where friction is rigid");
 }
 
 ContactMemory read_memory(const Node& node, const NormalLaw& law) {
@@ -108,8 +121,9 @@ ContactMemory read_memory(const Node& node, const NormalLaw& law) {
 }
 
 ContactState read_contact(const Node& node, const Scene& scene) {
-  node.allow({"pair", "begin", "end", "how", "phases", "law", "memory", "overlap", "rate", "force", "lag", "impulse",
-              "sliding", "torsion", "rolling", "stored", "impact_rate", "speed_scale"});
+  node.allow({"pair",    "begin",  "end",         "how",         "phases",     "law",     "memory",
+              "overlap", "rate",   "force",       "lag",         "impulse",    "sliding", "torsion",
+              "rolling", "stored", "impact_rate", "speed_scale", "elongation", "strained"});
   ContactState c;
   read_pair(node.at("pair"), scene, c.record);
   read_record(node, c.record);
@@ -137,7 +151,9 @@ void read_contacts(const Node& node, const Scene& scene, ClusterState& state) {
       if (std::pair(last.i, last.j) >= std::pair(now.i, now.j))
         one.at("pair").reject("after that of the contact before");
     }
-    state.memories.push_back(read_memory(one, law_between(scene, now)));
+    const Interaction& interaction = interaction_between(scene, now);
+    state.memories.push_back(read_memory(one, interaction.law));
+    read_springs(one, compliant(interaction.tangential), state.contacts[k]);
   }
 }
 

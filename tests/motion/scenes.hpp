@@ -32,4 +32,15 @@ inline ClusterSetup random_clump(unsigned seed, NormalLaw law, Friction friction
   return setup;
 }
 
+/// The same with springs in the tangent plane of all contacts: sliding, torsion (which shares the disc's limit) and
+/// rolling, each with a dashpot.
+inline ClusterSetup with_springs(ClusterSetup setup, const TangentialLaw& law = LinearTangential(15000, 0.3)) {
+  for (auto& [pair, interaction] : setup.interactions) {
+    interaction.tangential = law;
+    interaction.torsion = {Torsion::Limit::disc, {0.15, 3e-6}};
+    interaction.rolling = {0.05, {0.2, 4e-6}};
+  }
+  return setup;
+}
+
 }  // namespace ricochet::test

@@ -187,7 +187,7 @@ TEST_CASE("a step resolves the collisions of a law of one's own") {
 }
 
 TEST_CASE("contacts of a law without memory are no larger than those need, and memories lie apart") {
-  CHECK(sizeof(ContactState) <= 224);
+  CHECK(sizeof(ContactState) <= 288);
   CHECK(NormalLaw(Linear(k, 0)).memory_size() == 0);
   CHECK(NormalLaw(Hysteretic(k, k)).memory_size() == 1);
   CHECK(NormalLaw(law).memory_size() == 1);

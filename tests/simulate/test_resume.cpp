@@ -62,17 +62,19 @@ TEST_CASE("a run stopped in the middle of contacts of every law goes on to the s
     const console::Json state = console::Json::parse(read(parts / "state.json"));
     REQUIRE(state.at("steps") == stop + 1);
     std::set<std::string> laws;
-    int rolling = 0, twisting = 0, rubbing = 0;
+    int rolling = 0, twisting = 0, rubbing = 0, strained = 0;
     for (const auto& contact : state.at("contacts")) {
       laws.insert(contact.at("law").get<std::string>());
       rubbing += contact.at("sliding") != console::Json({0, 0, 0});
       twisting += contact.at("torsion") != 0;
       rolling += contact.at("rolling") != console::Json({0, 0, 0});
+      strained += contact.at("strained") != 0;
     }
     CHECK(laws.size() == 5);
     CHECK(rubbing >= 5);
     CHECK(twisting >= 5);
     CHECK(rolling >= 5);
+    CHECK(strained >= 3);
     do_nothing(scene);
     REQUIRE(run(scene, parts, true) == 0);
     for (const char* file : {"trajectory.xyz", "contacts.csv", "energy.csv", "state.json"}) {

@@ -125,6 +125,70 @@ TEST_CASE("every mistake in a scene is one line that says where, what, and what 
   CHECK(complaint("").rfind("s.json:1:1: no JSON", 0) == 0);
 }
 
+TEST_CASE("springs in the tangent plane are read, those of a restitution for each pair's own mass") {
+  const auto friction = [](const std::string& more) {
+    return with(R"({"mu_static": 0.5})", R"({"mu_static": 0.5, )" + more + "}");
+  };
+  // On the plate; where springs are each pair's own, grains are sorts of their own.
+  const auto read = [](const std::string& text) {
+    const ClusterSetup setup = read_scene("s.json", text).setup;
+    return setup.interactions.at(std::minmax(setup.spheres[0].material, setup.walls[0].material));
+  };
+  const Sphere grain{0.01, 1000};
+  const double m = grain.mass(), turning = 3.5 * grain.inertia() / m;
+
+  const Interaction plain = read(friction(R"("model": "linear", "k_t": 800, "c_t": 0.5)"));
+  CHECK(values(plain.tangential) == std::vector<double>{800, 0.5});
+  CHECK(name(plain.tangential) == "linear");
+  CHECK(plain.torsion.limit == Torsion::Limit::none);
+  CHECK(plain.rolling.spring.stiffness == 0);
+  CHECK(name(read(friction(R"("model": "rigid")")).tangential) == "rigid");
+
+  // Springs against torsion and rolling swing as that against sliding does: k = (7/2) (J/m) k_t.
+  const Interaction turns =
+      read(friction(R"("model": "linear", "k_t": 800, "c_t": 0.5, "torsion": true, "mu_rolling": 0.1)"));
+  CHECK(turns.torsion.limit == Torsion::Limit::disc);
+  CHECK(turns.torsion.spring.stiffness == Approx(turning * 800).epsilon(1e-14));
+  CHECK(turns.rolling.spring.damping == Approx(turning * 0.5).epsilon(1e-14));
+  CHECK(turns.rolling.mu == 0.1);
+
+  // β₀ within the law's own t_col: k_t = m_t (π² + ln² β₀)/t_col², c_t = −2 m_t ln β₀/t_col.
+  const double tcol = collide(Fractional(1000, 1, 0.3), {1, m}).tcol, loss = std::log(0.6);
+  const auto sprung = values(read(friction(R"("model": "linear", "beta0": 0.6)")).tangential);
+  const double squares = std::pow(std::numbers::pi, 2) + loss * loss;
+  CHECK(sprung[0] == Approx(2.0 / 7 * m * squares / (tcol * tcol)).epsilon(1e-12));
+  CHECK(sprung[1] == Approx(-4.0 / 7 * m * loss / tcol).epsilon(1e-12));
+
+  // Mindlin of moduli: k_t = 8 G* √R*, 1/G* = 4 (2−ν)(1+ν)/E of like bodies, R* = r on a plate.
+  std::string hertz = friction(R"("model": "mindlin")");
+  const std::string law = R"({"name": "fractional", "k": 1000, "c": 1, "alpha": 0.3})";
+  hertz.replace(hertz.find(law), law.size(), R"({"name": "tsuji", "en": 0.9, "young": 1e6, "poisson": 0.3})");
+  CHECK(values(read(hertz).tangential)[0] == Approx(8 * 1e6 / (4 * 1.7 * 1.3) * std::sqrt(0.01)).epsilon(1e-12));
+}
+
+TEST_CASE("a mistake in springs is one line that says where, what, and what is accepted") {
+  const auto said = [](const std::string& more) {
+    return complaint(with(R"({"mu_static": 0.5})", R"({"mu_static": 0.5, )" + more + "}"));
+  };
+  const std::string at = "s.json: /interactions/1/friction";
+  CHECK(said(R"("model": "hooke")") == at + "/model = \"hooke\": must be rigid or linear or mindlin");
+  CHECK(said(R"("model": "linear")") ==
+        at + ": \"k_t\" or \"beta0\" is missing; one must be given with the model linear");
+  CHECK(said(R"("model": "mindlin")") ==
+        at + ": \"k_t\" is missing; it must be given, or the law by \"en\", \"young\" and \"poisson\"");
+  CHECK(said(R"("model": "linear", "k_t": 0)") == at + "/k_t = 0: must be a number > 0");
+  CHECK(said(R"("model": "linear", "k_t": 1, "c_t": -1)") == at + "/c_t = -1: must be a number >= 0");
+  CHECK(said(R"("model": "linear", "beta0": 1.5)") == at + "/beta0 = 1.5: must be in (0, 1]");
+  CHECK(said(R"("model": "linear", "beta0": 0.5, "k_t": 1)") == at + "/k_t = 1: must be left out with beta0");
+  CHECK(said(R"("model": "mindlin", "beta0": 0.5)") == at + "/beta0 = 0.5: must be left out with the model mindlin");
+  CHECK(said(R"("model": "linear", "k_t": 1, "torsion": 1)") == at + "/torsion = 1: must be true or false");
+  CHECK(said(R"("model": "linear", "k_t": 1, "mu_rolling": 0.1, "rolling_arm": 1)") ==
+        at + "/mu_rolling = 0.1: must be left out with rolling_arm");
+  CHECK(said(R"("model": "mindlin", "k_t": 1, "torsion": true)") ==
+        at + ": \"velocity\" is missing; these springs depend on the impact velocity for which they are made");
+  CHECK(said(R"("k_t": 1)").find("k_t") != std::string::npos);
+}
+
 TEST_CASE("a mistake in a scene is told by line and column") {
   CHECK(placed_complaint(with("\"radius\": 0.01", "\"radius\": -0.01"))
             .rfind("s.json:10:16: /spheres/0/radius = -0.01", 0) == 0);

@@ -91,13 +91,15 @@ TEST_CASE("a state reads back to the last bit, every number in its own place") {
     CHECK(d.stored == c.stored);
     CHECK(d.impact_rate == c.impact_rate);
     CHECK(d.speed_scale == c.speed_scale);
+    CHECK(d.elongation == c.elongation);
+    CHECK(d.strained == c.strained);
   }
 }
 
 TEST_CASE("the file says by name what it holds") {
   const Json state = Json::parse(write_checkpoint(scene(), saved()));
   const ClusterState& s = saved().state;
-  CHECK(state.at("schema") == "ricochet/state/3");
+  CHECK(state.at("schema") == "ricochet/state/4");
   CHECK(state.at("lost_normal") == s.lost_normal);
   CHECK(state.at("lost_friction") == s.lost_friction);
   CHECK(state.at("contacts").at(0).at("memory") == s.memories[0].values);
@@ -152,6 +154,21 @@ TEST_CASE("a contact of a state is checked against the scene") {
   CHECK(with(first + "lag", 1) == start + first + "lag = 1: must be at most the step");
   CHECK(with(first + "phases", Json::array()) == start + first + "phases = []: must be an array of 6 times");
   CHECK(with(first + "sliding", 1) == start + first + "sliding = 1: must be three numbers [x, y, z]");
+  const auto place_of = [](bool springs) {
+    const auto& all = saved().state.contacts;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& c) { return (c.strained > 0) == springs; });
+    REQUIRE(found != all.end());
+    return "/contacts/" + std::to_string(found - all.begin()) + "/";
+  };
+  const std::string sprung = place_of(true), rigid = place_of(false);
+  CHECK(with(sprung + "elongation/slide", {1e-6, 0}) ==
+        start + sprung + "elongation/slide = [1e-06,0]: must be three numbers [x, y, z]");
+  CHECK(with(sprung + "elongation/twist", nullptr) ==
+        start + sprung + "elongation/twist = null: must be a finite number");
+  CHECK(with(sprung + "elongation", {{"bent", 1}}).find("bent") != std::string::npos);
+  CHECK(with(sprung + "strained", -1) == start + sprung + "strained = -1: must be a number >= 0");
+  CHECK(with(rigid + "strained", 1) == start + rigid + "strained = 1: must be 0 where friction is rigid");
+  CHECK(with(rigid + "elongation/twist", 1).find("must be zero where friction is rigid") != std::string::npos);
   Json state = Json::parse(write_checkpoint(scene(), saved()));
   state["contacts"][0].erase("force");
   CHECK(complaint(state) == start + "/contacts/0: \"force\" is missing; it must be given");
@@ -162,7 +179,7 @@ TEST_CASE("what is no state of this scene and version is told apart") {
   CHECK(with("/schema", "ricochet/scene/1") == complaint({}));
   CHECK(with("/schema", "ricochet/state/1") ==
         start +
-            "/schema = \"ricochet/state/1\": must be \"ricochet/state/3\", as this version of simulate saves; "
+            "/schema = \"ricochet/state/1\": must be \"ricochet/state/4\", as this version of simulate saves; "
             "start again without --resume");
   CHECK(with("/scene", "1") == start + "of another scene; must be of the one given");
   CHECK_THROWS_WITH(read_checkpoint("d/state.json", "{\"schema\": ", scene()), Catch::Contains("must be a state"));

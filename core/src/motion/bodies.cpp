@@ -61,6 +61,14 @@ std::map<std::size_t, Lightest> lightest_of(const ClusterSetup& setup) {
   return all;
 }
 
+// The shorter of what the normal law and what a tangential spring take.
+double resolved_time(const Interaction& interaction, double mass, double speed) {
+  const double normal = interaction.law.resolved_time(mass, speed);
+  if (!std::isfinite(normal)) return normal;
+  const double stiffness = spring(interaction.tangential, speed * normal / std::numbers::pi).stiffness;
+  return stiffness > 0 ? std::min(normal, std::numbers::pi * std::sqrt(2.0 / 7 * mass / stiffness)) : normal;
+}
+
 }  // namespace
 
 StiffestContact stiffest_contact(const ClusterSetup& setup) {
@@ -68,7 +76,7 @@ StiffestContact stiffest_contact(const ClusterSetup& setup) {
   const auto lightest = lightest_of(setup);
   StiffestContact stiffest;
   const auto meet = [&](const Interaction& interaction, std::size_t i, std::size_t j, double mass) {
-    const double t = interaction.law.resolved_time(mass, speed);
+    const double t = resolved_time(interaction, mass, speed);
     if (std::isfinite(t) && (stiffest.tcol == 0 || t < stiffest.tcol)) stiffest = {i, j, t};
   };
   const auto& s = setup.spheres;
@@ -110,7 +118,9 @@ void check(const ClusterSetup& setup) {
       throw std::invalid_argument("materials " + std::to_string(a) + " and " + std::to_string(b) +
                                   " can meet: must have an interaction");
     found->second.law.require_motion();
-    const double breakage = found->second.breakage_energy;
+    const Interaction& i = found->second;
+    check(TangentialContact{i.tangential, i.friction, i.torsion, i.rolling});
+    const double breakage = i.breakage_energy;
     support::require(breakage >= 0, "breakage_energy", breakage, ">= 0");
   };
   const auto lightest = lightest_of(setup);

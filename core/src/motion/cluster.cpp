@@ -92,7 +92,11 @@ void Cluster::add_models(const Interactions& interactions) {
     auto normal =
         interaction.law.contacts({options_.step, interaction.end, options_.longest_contact, options_.kernel_tolerance});
     kernel_error_ = std::max(kernel_error_, normal->kernel_error());
-    models_.push_back({interaction.friction, interaction.end, interaction.breakage_energy, std::move(normal), {}});
+    const TangentialContact tangential{interaction.tangential, interaction.friction, interaction.torsion,
+                                       interaction.rolling};
+    const bool springs = compliant(interaction.tangential);
+    has_springs_ = has_springs_ || springs;
+    models_.push_back({tangential, springs, interaction.end, interaction.breakage_energy, std::move(normal), {}});
   }
 }
 
@@ -129,7 +133,7 @@ ClusterEnergy Cluster::energy() const noexcept {
     e.kinetic += 0.5 * masses_[i] * dot(velocity(i), velocity(i)) + 0.5 * inertias_[i] * dot(spin(i), spin(i));
     e.gravity -= masses_[i] * dot(gravity_, position(i));
   }
-  for (const ContactState& c : state_.contacts) e.stored += c.stored;
+  for (const ContactState& c : state_.contacts) e.stored += c.stored, e.strained += c.strained;
   e.lost_normal = state_.lost_normal;
   e.lost_friction = state_.lost_friction;
   e.long_range_work = state_.long_range_work;

@@ -124,6 +124,7 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
     state_.lost_normal += impulse * rate;
   }
   state_.lost_normal += c.stored;  // what the memory still held is forgotten
+  state_.lost_friction += c.strained;
   models_[c.model].normal->forget(c);
   finished_.push_back(c.record);
 }

@@ -59,6 +59,7 @@ motion::NormalBatch Cluster::batch(const Model& model) noexcept { return {model.
 
 void Cluster::prepare_rows() {
   normals_.resize(rows_.size());
+  if (has_springs_) springs_.resize(rows_.size());
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const ContactState& c = state_.contacts[k];
     Row& row = rows_[k];
@@ -77,6 +78,7 @@ void Cluster::prepare_rows() {
     row.before = slip_motion(c, g, v);
     row.friction = {};
     if (models_[c.model].rubs()) prepare_friction(c, v, row);
+    if (models_[c.model].compliant) springs_[k] = compliant_row(c, v, row);
   }
   for (const Model& model : models_) model.normal->prepare(batch(model));
 }
@@ -91,6 +93,29 @@ void Cluster::prepare_friction(const ContactState& c, Vec3 v, Row& row) const no
   row.friction.impulse = c.friction;
   row.friction.impulse.sliding = tangential(c.friction.sliding, g.normal);
   row.friction.impulse.rolling = tangential(c.friction.rolling, g.normal);
+}
+
+// From the memory to the middle all fly straight: means are those halfway.
+motion::CompliantRow Cluster::compliant_row(const ContactState& c, Vec3 v, const Row& row) const noexcept {
+  const ContactGeometry& g = row.geometry;
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  motion::CompliantApproach approach{.normal_then = g.normal,
+                                     .normal = g.normal,
+                                     .motion = row.before,
+                                     .pressing = {0, g.overlap, g.radius, radii_[i]},
+                                     .step = options_.step};
+  approach.motion.slip -= c.lag / options_.step * row.turning;
+  if (j < size()) {
+    const Vec3 branch = (g.arm_i + g.arm_j) * g.normal + c.lag * v;
+    const double distance = norm(branch);
+    if (distance > 0) approach.normal_then = branch / distance;
+    const Vec3 between = approach.normal_then + g.normal, spin = state_.spins[i] - state_.spins[j];
+    const double length = norm(between);
+    const Vec3 normal = length > 0 ? between / length : g.normal;
+    approach.motion.spin = dot(spin, normal), approach.motion.roll = cross(spin, normal);
+    approach.pressing.radius_eff = radii_[i] * radii_[j] / (radii_[i] + radii_[j]);
+  }
+  return motion::compliant_row(models_[c.model].tangential, c, approach);
 }
 
 // An impulse along the normal alone.
@@ -167,8 +192,9 @@ double Cluster::relax(std::size_t contact) noexcept {
   free.slip -= m.slip * last.sliding + m.cross * last.rolling;
   free.roll -= m.cross * last.sliding + m.roll * last.rolling;
   free.spin -= m.roll * last.torsion;
-  row.friction =
-      friction_impulse(model.friction, {std::max(0.0, normal), g.radius, m, row.before, free, row.turning}, last);
+  const FrictionProblem problem{std::max(0.0, normal), g.radius, m, row.before, free, row.turning};
+  row.friction = model.compliant ? motion::compliant_impulse(model.tangential, springs_[contact], problem, last)
+                                 : friction_impulse(model.tangential.friction, problem, last);
   const FrictionImpulse delta = row.friction.impulse - last;
   apply(c, g, change, delta);
   const double arm = g.arm_i + g.arm_j;
@@ -236,7 +262,10 @@ void Cluster::conclude() {
     const Vec3 v = relative_velocity(c.record.i, c.record.j);
     normal.rate_mid = 0.5 * (normal.rate + dot(v, row.geometry.normal));
     const SlipMotion after = slip_motion(c, row.geometry, v);
-    if (models_[c.model].rubs()) conclude_friction(c, row, after);
+    if (models_[c.model].compliant)
+      conclude_springs(k, after);
+    else if (models_[c.model].rubs())
+      conclude_friction(c, row, after);
     note_phases(c, row, normal.rate_mid, after);
   }
   for (const Model& model : models_) model.normal->conclude(batch(model), time() + 0.5 * options_.step);
@@ -269,6 +298,18 @@ void Cluster::conclude_friction(ContactState& c, const Row& row, const SlipMotio
              dot(f.rolling, row.before.roll + after.roll));
 }
 
+void Cluster::conclude_springs(std::size_t contact, const SlipMotion& after) {
+  ContactState& c = state_.contacts[contact];
+  const Row& row = rows_[contact];
+  const SlipMotion mean{0.5 * (row.before.slip + after.slip), 0.5 * (row.before.spin + after.spin),
+                        0.5 * (row.before.roll + after.roll)};
+  const motion::CompliantEnd end =
+      motion::compliant_end(models_[c.model].tangential, springs_[contact], c, row.friction.impulse, mean, c.force);
+  c.friction = row.friction.impulse;
+  c.elongation = end.elongation, c.strained = end.stored;
+  state_.lost_friction += end.lost;
+}
+
 void Cluster::note_phases(ContactState& c, const Row& row, double rate_mid, const SlipMotion& after) const {
   const double h = options_.step, start = std::max(time(), c.record.begin), still = 1e-9 * c.speed_scale;
   const auto enter = [&](Phase phase, double when) {
@@ -283,7 +324,8 @@ void Cluster::note_phases(ContactState& c, const Row& row, double rate_mid, cons
   }
   const double reach = row.geometry.arm_i + row.geometry.arm_j;
   if (std::abs(after.spin) * reach > still) enter(Phase::torsion, start);
-  const bool slid = norm(row.before.slip) > still;
+  // What springs give way by is no sliding.
+  const bool slid = !models_[c.model].compliant && norm(row.before.slip) > still;
   if (!row.friction.sticks) {
     if (slid || norm(after.slip) > still) enter(Phase::sliding, start);
     return;

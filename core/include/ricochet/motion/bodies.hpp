@@ -1,6 +1,6 @@
 #pragma once
 
-#include <ricochet/contact/friction.hpp>
+#include <ricochet/contact/tangential.hpp>
 #include <ricochet/motion/normal_law.hpp>
 
 #include <cstddef>
@@ -44,6 +44,9 @@ struct Interaction {
   /// What a contact can take up [J], ≥ 0: one that ends by (26) and has taken up as much is noted as broken; the bodies
   /// themselves stay whole.
   double breakage_energy = std::numeric_limits<double>::infinity();
+  TangentialLaw tangential = RigidTangential{};
+  Torsion torsion{};  ///< of a compliant tangential law; the rigid one has the disc's (36), (44)
+  Rolling rolling{};  ///< of a compliant tangential law; `friction` has the arm ρ of both
 };
 
 /// Interactions by pair of materials, (a, b) with a ≤ b.
@@ -72,11 +75,12 @@ struct StiffestContact {
 /// each other, gravity having acted over the greatest radius. Durations: (57) for the fractional law, for the others
 /// that without damping, or ten damping times m/c where these are shorter (in the Hertzian laws cζ^p for c, at a ζ that
 /// neither spring nor dashpot would let pass): an overdamped contact is over long before its spring has swung. For a
-/// law of your own π m v over its greatest force.
+/// law of your own π m v over its greatest force. A compliant tangential law counts where it swings faster: π
+/// √(m_t/k_t), m_t = (2/7) m, Mindlin's k_t at the overlap v t_col/π.
 StiffestContact stiffest_contact(const ClusterSetup& setup);
 
 /// Throws std::invalid_argument naming what is wrong: a radius, density or number that is not finite or not positive, a
-/// wall without direction, or a pair of materials that can meet and has no interaction.
+/// wall without direction, a limit without a spring, or a pair of materials that can meet and has no interaction.
 void check(const ClusterSetup& setup);
 
 }  // namespace ricochet

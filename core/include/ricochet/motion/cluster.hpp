@@ -3,6 +3,7 @@
 #include <ricochet/contact/geometry.hpp>
 #include <ricochet/motion/bodies.hpp>
 #include <ricochet/motion/contact_state.hpp>
+#include <ricochet/motion/engine/compliant_contact.hpp>
 #include <ricochet/motion/linked_cells.hpp>
 
 #include <cstdint>
@@ -35,8 +36,9 @@ struct ClusterOptions {
 /// forces and friction have taken since the start.
 struct ClusterEnergy {
   double kinetic = 0, gravity = 0, stored = 0, lost_normal = 0, lost_friction = 0, long_range_work = 0;
+  double strained = 0;  ///< what springs in the tangent plane hold
 
-  double mechanical() const noexcept { return kinetic + gravity + stored; }
+  double mechanical() const noexcept { return kinetic + gravity + stored + strained; }
   double total() const noexcept { return mechanical() + lost_normal + lost_friction - long_range_work; }
 };
 
@@ -67,15 +69,16 @@ struct Breakthrough {
 };
 
 /// Spheres and walls in motion: any normal law for each pair of materials, also one of your own, friction with torsion
-/// and rolling (Sec. II of the paper), gravity, other forces. Can be moved, not copied: `state` and `restore` carry a
-/// motion from one cluster to another.
+/// and rolling, rigid (Sec. II of the paper) or by springs in the tangent plane, gravity, other forces. Can be moved,
+/// not copied: `state` and `restore` carry a motion from one cluster to another.
 ///
 /// Scheme. Velocities live at t_n, positions at t_{n+1/2} (leapfrog). In the middle of a step every contact passes one
-/// impulse at its contact point, so momentum and angular momentum are conserved to rounding, whatever the step and
-/// the laws. Impulses are implicit in the velocities: R by the midpoint rule on the step's mean velocity, friction as
-/// in friction_impulse, found together by sweeps over the contacts. Between two middles each sphere flies straight, so
-/// t_b is the root of a quadratic; from t_b to the end of that step the pair is integrated by itself on a finer,
-/// graded mesh. Where the force falls to zero inside a step, the impulse stops there.
+/// impulse at its contact point, so momentum and angular momentum are conserved to rounding, whatever the step and the
+/// laws. Impulses are implicit in the velocities: R by the midpoint rule on the step's mean velocity, friction as in
+/// friction_impulse, or by springs as in engine/compliant_contact.hpp, found together by sweeps over the contacts.
+/// Between two middles each sphere flies straight, so t_b is the root of a quadratic; from t_b to the end of that step
+/// the pair is integrated by itself on a finer, graded mesh. Where the force falls to zero inside a step, the impulse
+/// stops there.
 ///
 /// Order 2 in the step for positions, velocities, energy and t_e, for laws whose force is smooth in time after t_b. A
 /// law that starts like t^p, 0 < p < 1 (fractional: p = 1−α; Kuwabara-Kono: 1/2; Tsuji: 1/4), adds an error of order
@@ -124,12 +127,15 @@ class Cluster {
  private:
   // The contacts of one interaction.
   struct Model {
-    Friction friction;
+    TangentialContact tangential;
+    bool compliant;
     ContactEnd end;
     double breakage_energy;
     std::unique_ptr<motion::NormalContacts> normal;
     std::vector<std::uint32_t> members;  // which of all contacts, ascending
-    bool rubs() const noexcept { return friction.mu_static() > 0; }
+    bool rubs() const noexcept {
+      return tangential.friction.mu_static() > 0 || (compliant && tangential.rolling.mu > 0);
+    }
   };
   struct PlaneWall {
     Vec3 point, inward;
@@ -165,6 +171,7 @@ class Cluster {
   void finish(ContactState& contact, const ContactGeometry& g);
   void prepare_rows();
   void prepare_friction(const ContactState& contact, Vec3 velocity, Row& row) const noexcept;
+  motion::CompliantRow compliant_row(const ContactState& contact, Vec3 velocity, const Row& row) const noexcept;
   motion::NormalBatch batch(const Model& model) noexcept;
   void push(const ContactState& c, const ContactGeometry& g, double normal) noexcept;
   void apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept;
@@ -174,6 +181,7 @@ class Cluster {
   void solve();
   void conclude();
   void conclude_friction(ContactState& contact, const Row& row, const SlipMotion& after);
+  void conclude_springs(std::size_t contact, const SlipMotion& after);
   void note_phases(ContactState& contact, const Row& row, double rate_mid, const SlipMotion& after) const;
   static EncounterEnd how_it_ended(const ContactState& contact, double rate_mid, const Row& row) noexcept;
   void note_breakage(ContactState& contact, double mobility) const noexcept;
@@ -194,7 +202,9 @@ class Cluster {
   NeighbourList neighbours_;
   std::vector<NearPair> candidates_;
   std::vector<Row> rows_;
-  std::vector<motion::NormalRow> normals_;  // of the same contacts
+  std::vector<motion::NormalRow> normals_;     // of the same contacts
+  std::vector<motion::CompliantRow> springs_;  // of the same contacts; none where no interaction has any
+  bool has_springs_ = false;
   std::vector<Vec3> field_forces_;
   std::vector<Encounter> finished_;
   std::size_t rebuilds_ = 0;

@@ -2,6 +2,7 @@
 
 #include <ricochet/contact/friction.hpp>
 #include <ricochet/contact/law.hpp>
+#include <ricochet/contact/tangential.hpp>
 
 #include <array>
 #include <cstdint>
@@ -44,7 +45,7 @@ struct Encounter {
 };
 
 /// A contact between two steps: what its future depends on besides its law's memory, which the laws keep side by side.
-/// 224 bytes, whatever the law.
+/// 288 bytes, whatever the law.
 struct ContactState {
   Encounter record;
   std::uint32_t model = 0;    ///< which interaction, as the cluster counts them
@@ -58,6 +59,8 @@ struct ContactState {
   double stored = 0;          ///< elastic energy and memory at the end of the last step [J]
   double impact_rate = 0;     ///< ζ' at t_b [m/s]
   double speed_scale = 0;     ///< of the meeting [m/s]: a 10⁻⁹ of it counts as no motion
+  Elongation elongation;      ///< of a compliant tangential law, at the time of the memory
+  double strained = 0;        ///< energy of its springs at the end of the last step [J]
 };
 
 }  // namespace ricochet
