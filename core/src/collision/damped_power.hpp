@@ -21,6 +21,7 @@ struct DampedPower {
   using State = std::array<double, 3>;
   static constexpr double stiffness_exponent = double(Q + R) / P;
   static constexpr double damping_exponent = double(Q) / P;
+  static constexpr int force_power = Q;  ///< of the force's factor y^Q
 
   double gamma;
 

@@ -1,23 +1,12 @@
 #include "numerical_collision.hpp"
+#include "steps.hpp"
 
-#include <ricochet/support/root.hpp>
-
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
-
-#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 
 namespace ricochet::collision {
 namespace {
 
-namespace odeint = boost::numeric::odeint;
-
-// Local error a step, relative to the component and to its change over the step: the change keeps the scale where the
-// velocity passes through zero, and nothing absolute spoils the small velocities of a strongly damped rebound. A
-// collision takes some tens of steps.
-constexpr double tolerance = 3e-15;
 constexpr double first_step = 0.05;
 /// Slower than this and still overlapping, under an attractive force: bodies creep under Kuwabara and Kono's law, and
 /// count as never parting. The overlap of the other two returns, or does not, by its damping ratio.
@@ -26,74 +15,6 @@ constexpr double creeping = 1e-13;
 constexpr double slowest = 1e-150;
 /// From this γ on the reduced force is followed instead of the velocity.
 constexpr double strong = 2;
-
-/// One-step integration whose steps can be redone at any shorter length: events are located to the method's own order.
-template <class System>
-class Steps {
- public:
-  using State = typename System::State;
-
-  Steps(const System& system, const State& start, std::size_t budget, double first_length)
-      : system_(system), before_(start), after_(start), budget_(budget), length_(first_length) {}
-
-  /// One accepted step; false when the budget is spent.
-  bool advance() {
-    before_ = after_;
-    while (evaluations_ < budget_) {
-      evaluations_ += stages;
-      State error;
-      stepper_.do_step(std::cref(system_), before_, 0.0, after_, length_, error);
-      const double excess = relative_to_tolerance(error, before_, after_);
-      taken_ = length_;
-      length_ *= std::clamp(0.9 * std::pow(excess, -1.0 / 8), 0.2, 4.0);
-      if (excess <= 1) return true;
-    }
-    return false;
-  }
-
-  /// The state `length` into the last step.
-  State at(double length) {
-    if (length <= 0) return before_;
-    State state = before_;
-    evaluations_ += stages;
-    stepper_.do_step(std::cref(system_), state, 0.0, length);
-    return state;
-  }
-
-  /// Where in (0, limit] of the last step `value` falls through zero; none when it does not.
-  template <class Value>
-  std::optional<double> fall(Value value, double limit) {
-    const double left = value(before_), right = value(limit == taken_ ? after_ : at(limit));
-    if (!(left > 0 && right <= 0)) return std::nullopt;
-    return support::root([&](double length) { return value(at(length)); }, 0.0, limit, left, right);
-  }
-
-  const State& before() const { return before_; }
-  const State& after() const { return after_; }
-  double taken() const { return taken_; }
-  std::size_t evaluations() const { return evaluations_; }
-
- private:
-  static constexpr std::size_t stages = 13;
-  using Stepper = odeint::runge_kutta_fehlberg78<State>;
-
-  /// The largest component of the error estimate, in tolerances; NaN and infinity count as large.
-  static double relative_to_tolerance(const State& error, const State& before, const State& after) {
-    double largest = 1e-10;
-    for (std::size_t i = 0; i < after.size(); ++i) {
-      const double scale = std::abs(after[i]) + std::abs(after[i] - before[i]);
-      const double share = error[i] == 0 ? 0 : std::abs(error[i]) / (tolerance * scale);
-      if (!(share <= largest)) largest = std::isfinite(share) ? share : 1e30;
-    }
-    return largest;
-  }
-
-  const System& system_;
-  State before_, after_;
-  std::size_t budget_, evaluations_ = 0;
-  double length_, taken_ = 0;
-  Stepper stepper_;
-};
 
 double position(const std::array<double, 3>& s) { return s[0]; }
 

@@ -25,13 +25,13 @@ double sticking_restitution(const LinearTangential& law, double tcol, double mas
   support::require_positive("tcol", tcol);
   support::require_positive("mass_eff", mass_eff);
   const double m = tangential_mass_ratio * mass_eff;
-  const double D = 0.5 * law.c_t() / m, square = law.k_t() / m - D * D, w = std::sqrt(std::abs(square));
-  const double turn = w * tcol, fade = std::exp(-D * tcol);
-  if (square > 0) return -fade * (std::cos(turn) - D / w * std::sin(turn));
-  if (turn < 1e-8) return -fade * (1 - D * tcol);
-  // e^{−Dt} cosh wt and sinh wt, neither of which overflows so: w < D.
-  const double slow = std::exp((w - D) * tcol), fast = std::exp(-(w + D) * tcol);
-  return -0.5 * (slow + fast - D / w * (slow - fast));
+  const double D = 0.5 * law.c_t() / m, W = std::sqrt(law.k_t() / m);
+  const double w = std::sqrt(std::abs(W - D)) * std::sqrt(W + D), turn = w * tcol;
+  if (turn < 1e-8) return -std::exp(-D * tcol) * (1 - D * tcol);
+  if (D < W) return -std::exp(-D * tcol) * (std::cos(turn) - D / w * std::sin(turn));
+  // The two real exponents −D ± w, of which the slow one is −W²/(D + w).
+  const double slow = W / (D + w) * W;
+  return 0.5 * (slow / w * std::exp(-slow * tcol) - (1 + D / w) * std::exp(-(D + w) * tcol));
 }
 
 }  // namespace ricochet

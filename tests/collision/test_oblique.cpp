@@ -1,0 +1,242 @@
+#include "oblique_cases.hpp"
+
+#include <catch2/catch.hpp>
+#include <ricochet/collision/tangential_restitution.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+using namespace oblique;
+
+namespace {
+
+const LinearTangential engine_spring(1.48e7);
+const Friction measured(0.092, 0.092, 0);
+/// Holds whatever comes, but in the last 1e-9 of a collision or so.
+const Friction holds(1e9, 1e9, 0);
+
+}  // namespace
+
+TEST_CASE("the centre's restitution and spin of a sphere on a wall are those of a plain stepping, converged") {
+  // Leapfrog at t_col/320000, to all of its printed digits: linear k_n = 1.72e7, k_t = 1.48e7 N/m, mu = 0.092, e_n = 1.
+  struct Row {
+    double angle, et, spin;
+  };
+  const std::array rows{Row{0.5, 0.900117, 3.399360},   Row{2.5, 0.865117, 22.945770}, Row{5, 0.806425, 65.797683},
+                        Row{7.5, 0.726165, 139.396342}, Row{10, 0.651813, 235.802206}, Row{15, 0.594091, 409.722045},
+                        Row{20, 0.593122, 542.726029},  Row{25, 0.621716, 623.491715}, Row{30, 0.681303, 621.459830},
+                        Row{40, 0.780717, 549.713492},  Row{60, 0.893768, 358.800000}};
+  for (const Row& row : rows) {
+    const auto out = collide(Linear(1.72e7, 0), {engine_spring, measured}, at_angle(row.angle));
+    CAPTURE(row.angle);
+    REQUIRE(out.separated());
+    CHECK(*out.et == Approx(row.et).margin(5.1e-7));
+    CHECK(-out.spin_i.y == Approx(row.spin).margin(2e-6));
+  }
+}
+
+namespace {
+
+/// What friction at its limit throughout makes of an impact with a spin of 100 1/s.
+void check_slides_throughout(const ObliqueImpact& impact, const ObliqueCollision& out) {
+  REQUIRE(out.separated());
+  const double change = 0.092 * (1 + out.normal.en) * impact.i.velocity.z;
+  CHECK(out.velocity_i.x == Approx(impact.i.velocity.x - change).epsilon(1e-9));
+  CHECK(out.velocity_i.z == Approx(-out.normal.en * impact.i.velocity.z).epsilon(1e-9));
+  CHECK((out.spin_i.y - 100) * radius == Approx(-2.5 * change).epsilon(1e-9));
+  CHECK(out.impulse_ratio == Approx(0.092).epsilon(1e-9));
+  CHECK(out.stick_time == 0);
+  CHECK(out.switches == 0);
+}
+
+}  // namespace
+
+TEST_CASE("gross sliding is exact, whatever the laws") {
+  // u_t > (7/2) μ(1+e_n)v_n, and the limit is passed as the bodies touch: at once by a dashpot with c u > μR, or where
+  // k u > μR', as R begins like ζ. Then the impulse is μ(1+e_n) m v_n.
+  const ObliqueImpact impact = at_angle(70, {0, 100, 0});
+  for (const TangentialLaw tangential : {TangentialLaw(RigidTangential{}), TangentialLaw(LinearTangential(1.48e7, 15)),
+                                         TangentialLaw(MindlinTangential(4e9, 15))})
+    each_law([&](const auto& law) {
+      CAPTURE(law.name, name(tangential));
+      check_slides_throughout(impact, collide(law, {tangential, measured}, impact));
+    });
+  check_slides_throughout(impact, collide(Linear(1.72e7, 0), {engine_spring, measured}, impact));
+  check_slides_throughout(impact, collide(Hysteretic(1.2e7, 2.4e7), {engine_spring, measured}, impact));
+}
+
+TEST_CASE("a repulsion that begins faster than a tangential spring is strained lets the contact stick at first") {
+  // R(0) = c v_n: it sticks until k u t = μR, over which the force is on the mean half its limit: the impulse is less
+  // than gross sliding's by μ²c²v_n²/(2 k u) and what R gains meanwhile.
+  const ObliqueImpact impact = at_angle(80);
+  const auto out = collide(Linear(1.72e7, 0.12), {engine_spring, measured}, impact);
+  const double v = impact.i.velocity.z, first = std::pow(0.092 * 0.12 * v, 2) / (2 * 1.48e7 * impact.i.velocity.x);
+  const double lacking =
+      0.092 * impact.i.mass * (1 + out.normal.en) * v - impact.i.mass * (impact.i.velocity.x - out.velocity_i.x);
+  // Until the meeting R grows by R'/(k u/μ − R') of itself, R' = k_n v.
+  const double slower = 1 - 0.092 * 1.72e7 * v / (1.48e7 * impact.i.velocity.x);
+  CHECK(lacking == Approx(first / slower).epsilon(2e-3));
+  CHECK(out.switches == 1);
+}
+
+TEST_CASE("a contact that sticks from touch to end is an oscillator that the normal law does not enter") {
+  for (const LinearTangential spring : {engine_spring, LinearTangential(1.48e7, 15), LinearTangential(1e6, 800)})
+    each_law([&](const auto& law) {
+      const ObliqueImpact impact = at_angle(20, {0, -50, 0});
+      const auto out = collide(law, {spring, holds}, impact);
+      CAPTURE(law.name, spring.c_t());
+      REQUIRE(out.separated());
+      // Fast damped sticking contacts slide for some 1e-9 of the collision at its start: c u > μR.
+      const double beta = sticking_restitution(spring, out.normal.tcol, impact.i.mass);
+      CHECK(*out.beta == Approx(beta).margin(2e-8));
+      const double slip = impact.i.velocity.x - 50 * radius;
+      CHECK(out.velocity_i.x == Approx(impact.i.velocity.x - 2.0 / 7 * (1 + beta) * slip).epsilon(2e-8));
+    });
+}
+
+TEST_CASE("the spring that is asked to have a tangential restitution has it in a collision") {
+  for (const double beta0 : {0.2, 0.7, 1.0}) {
+    const ObliqueImpact impact = at_angle(10);
+    const double tcol = collide(Linear(1.72e7, 12), {speed, impact.i.mass}).tcol;
+    for (const auto form : {StickingForm::damped, StickingForm::undamped}) {
+      const auto spring = tangential_for(beta0, tcol, impact.i.mass, form);
+      CHECK(*collide(Linear(1.72e7, 12), {spring, holds}, impact).beta == Approx(beta0).margin(2e-8));
+    }
+  }
+}
+
+TEST_CASE("rigid friction takes the smaller of sliding and sticking, the three-parameter model with beta0 = 0") {
+  // O. R. Walton; Foerster et al., Phys. Fluids 6, 1108 (1994).
+  for (const double degrees : {0.01, 1.0, 10.0, 25.0, 32.0, 33.0, 60.0, 89.0})
+    each_law([&](const auto& law) {
+      const ObliqueImpact impact = at_angle(degrees);
+      const auto out = collide(law, {RigidTangential{}, measured}, impact);
+      const double slides = 0.092 * (1 + out.normal.en) * impact.i.velocity.z, sticks = 2.0 / 7 * impact.i.velocity.x;
+      CAPTURE(law.name, degrees);
+      CHECK(impact.i.velocity.x - out.velocity_i.x == Approx(std::min(slides, sticks)).epsilon(1e-9));
+      CHECK(out.switches == (sticks < slides ? 1 : 0));
+    });
+}
+
+TEST_CASE("rigid friction stops the slip when its impulse has been passed, which the closed form dates") {
+  // ζ' = v cos wt: the impulse m v (1 − cos wt) μ reaches (2/7) m u at cos wt = 1 − 2u/(7μv).
+  const ObliqueImpact impact = at_angle(15);
+  const auto out = collide(Linear(1.72e7, 0), {RigidTangential{}, measured}, impact);
+  const double share = 2 * impact.i.velocity.x / (7 * 0.092 * impact.i.velocity.z);
+  CHECK(out.slip_time == Approx(std::acos(1 - share) * std::sqrt(impact.i.mass / 1.72e7)).epsilon(1e-9));
+  CHECK(out.slip_time + out.stick_time == Approx(out.normal.tcol).epsilon(1e-10));
+}
+
+TEST_CASE("ever stiffer springs without loss go over into full reversals of the slip, or into sliding, not rigid") {
+  // Where k_t grows, the contact point swings back and forth at the frequency of k_t: the centre's mean loss is rigid
+  // friction's, the strain never stays at rest. A damped one comes to rest: the limit is the rigid law.
+  const ObliqueImpact impact = at_angle(20);
+  const double rigid = *collide(Linear(1.72e7, 0), {RigidTangential{}, measured}, impact).et;
+  const auto off = [&](double k) {
+    const double critical = 2 * std::sqrt(k * 2.0 / 7 * impact.i.mass);
+    return std::abs(*collide(Linear(1.72e7, 0), {LinearTangential(k, critical), measured}, impact).et - rigid);
+  };
+  CHECK(off(1e9) < 2e-2);
+  CHECK(off(1e11) < 0.3 * off(1e9));
+}
+
+TEST_CASE("a law has the same oblique collision on its own path and on the generic one") {
+  const auto check = [](const auto& law) {
+    using Law = std::decay_t<decltype(law)>;
+    for (const double degrees : {3.0, 17.0, 50.0})
+      for (const TangentialLaw tangential :
+           {TangentialLaw(engine_spring), TangentialLaw(MindlinTangential(4e9)), TangentialLaw(RigidTangential{}),
+            TangentialLaw(LinearTangential(1.48e7, 15))}) {
+        const TangentialContact contact{tangential, measured};
+        const auto own = collide(law, contact, at_angle(degrees)),
+                   other = collide<Law>(law, contact, at_angle(degrees));
+        CAPTURE(Law::name, degrees, name(tangential));
+        CHECK(*own.et == Approx(*other.et).epsilon(2e-9));
+        CHECK(*own.beta == Approx(*other.beta).margin(2e-9));
+        CHECK(own.lost.sum() == Approx(other.lost.sum()).margin(2e-9 * energy(at_angle(degrees))));
+      }
+  };
+  check(Linear(1.72e7, 0));
+  check(Linear(1.72e7, 12));
+  check(KuwabaraKono(4e9, 1500));
+  check(Tsuji(4e9, 150));
+  check(Hysteretic(1.2e7, 2.4e7));
+}
+
+TEST_CASE("a hysteretic law that loses nothing, a fractional one of degree 0 and a spring are one") {
+  const TangentialContact contact{MindlinTangential(4e9, 15), measured};
+  const auto spring = collide(Linear(1.72e7, 0), contact, at_angle(12));
+  for (const auto& other : {collide(Hysteretic(1.72e7, 1.72e7), contact, at_angle(12)),
+                            collide(Fractional(1.72e7, 1, 0), contact, at_angle(12))}) {
+    CHECK(*other.et == Approx(*spring.et).epsilon(1e-10));
+    CHECK(other.lost.sum() == Approx(spring.lost.sum()).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("tangential forces end with the repulsion, also where the normal motion is ended by overlap") {
+  const Linear law(1.72e7, 12);
+  const TangentialContact contact{engine_spring, measured};
+  const auto force = collide(law, contact, at_angle(12)),
+             overlap = collide(law, contact, at_angle(12), {ContactEnd::overlap});
+  CHECK(overlap.normal.status == CollisionStatus::ended_by_overlap);
+  CHECK(overlap.normal.en < force.normal.en);
+  CHECK(*overlap.et == Approx(*force.et).epsilon(1e-11));
+  CHECK(overlap.slip_time + overlap.stick_time == Approx(force.normal.tcol).epsilon(1e-10));
+}
+
+TEST_CASE("a grazing impact keeps the digits of its small change") {
+  for (const double ratio : {1e-3, 1e-6, 1e-9}) {
+    const ObliqueImpact impact{.i = sphere({1, 0, ratio})};
+    const auto out = collide(Linear(1.72e7, 0), {engine_spring, measured}, impact);
+    CHECK(out.impulse_ratio == Approx(0.092).epsilon(1e-9));
+    CHECK(norm(out.impulse) ==
+          Approx(impact.i.mass * ratio * (1 + out.normal.en) * std::hypot(1, 0.092)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("an impact without slip or without friction is the normal one") {
+  const TangentialContact contact{engine_spring, measured};
+  const auto head_on = collide(Linear(1.72e7, 12), contact, {.i = sphere({0, 0, 2})});
+  CHECK_FALSE(head_on.et);
+  CHECK_FALSE(head_on.beta);
+  CHECK(head_on.impulse_ratio == 0);
+  // Rolling on the wall as it touches: u = v − ωr… = 0.
+  const auto rolls = collide(Linear(1.72e7, 12), contact, {.i = sphere({1, 0, 2}, {0, -1 / radius, 0})});
+  CHECK_FALSE(rolls.beta);
+  CHECK(*rolls.et == 1);
+  const auto smooth = collide(Linear(1.72e7, 12), {engine_spring, Friction{}}, at_angle(30, {1, 2, 3}));
+  CHECK(*smooth.et == 1);
+  CHECK(smooth.spin_i == Vec3{1, 2, 3});
+}
+
+TEST_CASE("bodies and laws outside their domains are refused by name") {
+  const Linear law(1e6, 0);
+  const TangentialContact contact{engine_spring, measured};
+  const auto message = [&](const ObliqueImpact& impact, const TangentialContact& c) -> std::string {
+    try {
+      collide(law, c, impact);
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return "";
+  };
+  CHECK(message({.i = sphere({1, 0, -1})}, contact) == "speed of approach = -1: must be > 0");
+  CHECK(message({.normal = {}, .i = sphere({1, 0, 1})}, contact) == "normal = 0: must be longer than 0");
+  CHECK(message({.i = ImpactBody::wall({0, 0, 1})}, contact) == "mass = inf: must be finite and > 0");
+  CHECK(message({.i = {1, 0, {0, 0, 1}, {}}}, contact) == "radius = 0: must be finite and > 0");
+  CHECK(message({.i = {1, 1, {0, 0, 1}, {}, 0.7}}, contact) == "inertia_ratio = 0.7: must be > 0 and <= 2/3");
+  CHECK(message({.i = sphere({NAN, 0, 1})}, contact) == "velocity = nan: must be finite");
+  TangentialContact disc = contact;
+  disc.torsion = {Torsion::Limit::disc, {1, 0}};
+  CHECK(message(at_angle(10), disc).substr(0, 20) == "torsion.limit = disc");
+}
+
+TEST_CASE("what is no separation along the normal is none obliquely") {
+  const TangentialContact contact{engine_spring, measured};
+  const auto stays = collide(Fractional(1e6, 1, 1.0), contact, at_angle(10));
+  CHECK(stays.status == CollisionStatus::permanent_contact);
+  CHECK_FALSE(stays.separated());
+  CHECK(collide(Linear(1.72e7, 0), contact, at_angle(10), {.max_evaluations = 50}).status ==
+        CollisionStatus::budget_spent);
+}
