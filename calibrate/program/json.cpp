@@ -91,7 +91,12 @@ Json json_of(const Infeasible& missed) {
   Json reachable = Json::object();
   if (!missed.quantity.empty()) reachable[missed.quantity] = {missed.lowest, missed.highest};
   Json out{{"law", missed.law.name()}, {"end", text(missed.end)}, {"reason", missed.reason}, {"reachable", reachable}};
-  if (missed.open) out["excluded"] = {{missed.quantity, missed.highest}};
+  if (missed.open || missed.low_open) {
+    Json ends = Json::array();
+    if (missed.low_open) ends.push_back(missed.lowest);
+    if (missed.open) ends.push_back(missed.highest);
+    out["excluded"] = {{missed.quantity, ends}};
+  }
   return out;
 }
 

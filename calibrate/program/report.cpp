@@ -33,7 +33,8 @@ std::string bound_text(double bound, double refused, bool upper, bool open) {
 
 std::string range_of(const Infeasible& missed) {
   if (missed.lowest == missed.highest) return console::shortest(missed.lowest);
-  return fmt::format("in [{}, {}{}", bound_text(missed.lowest, missed.asked, false, false),
+  return fmt::format("in {}{}, {}{}", missed.low_open ? "(" : "[",
+                     bound_text(missed.lowest, missed.asked, false, missed.low_open),
                      bound_text(missed.highest, missed.asked, true, missed.open), missed.open ? ")" : "]");
 }
 
