@@ -188,9 +188,12 @@ std::variant<TangentialLaw, Infeasible> mindlin_for(const TangentialRequest& req
   }
   const auto beta = [&](double log_k) { return stuck(MindlinTangential(unit_k * std::exp(log_k))).beta; };
   const FirstRise rise = first_rise(beta);
-  if (!(beta0 > -1 && beta0 <= rise.top))
-    return beyond(normal, end, beta0, -1, rise.top,
-                  "-1 is no spring at all, and what a shrinking contact lets go no spring of this form gives back");
+  if (!(beta0 > -1 && beta0 <= rise.top)) {
+    Infeasible out = beyond(normal, end, beta0, -1, rise.top,
+                            "-1 is no spring at all, and what a shrinking contact lets go no spring gives back");
+    out.low_open = true;
+    return out;
+  }
   const double low = beta(rise.log_low);
   if (beta0 <= low) return beyond(normal, end, beta0, low, rise.top, "so weak a spring is none");
   return MindlinTangential(unit_k * std::exp(support::root([&](double x) { return beta(x) - beta0; }, rise.log_low,
@@ -271,6 +274,11 @@ std::optional<TangentialForm> tangential_form(std::string_view name) noexcept {
   for (const auto form : {TangentialForm::linear, TangentialForm::undamped, TangentialForm::mindlin})
     if (text(form) == name) return form;
   return std::nullopt;
+}
+
+std::span<const Parameter> parameters_of(TangentialForm form) noexcept {
+  if (form == TangentialForm::mindlin) return MindlinTangential::parameters;
+  return LinearTangential::parameters;
 }
 
 double mindlin_stiffness(double young, double poisson, double young2, double poisson2, double radius_eff) {

@@ -22,6 +22,8 @@ enum class TangentialForm {
 /// "linear", "linear-undamped", "mindlin".
 std::string_view text(TangentialForm form) noexcept;
 std::optional<TangentialForm> tangential_form(std::string_view name) noexcept;
+/// k_t and c_t with their units.
+std::span<const Parameter> parameters_of(TangentialForm form) noexcept;
 
 /// What the contact shall do in its tangent plane.
 struct TangentialRequest {
