@@ -37,6 +37,7 @@ Materials read_materials(const Node& node) {
   Materials materials;
   if (!node.json().is_object() || node.json().empty())
     node.reject("an object of at least one material, {\"name\": {...}}");
+  node.require_names();
   for (const auto& [name, value] : node.json().items()) {
     const Node material = node.at(name);
     material.allow({"density"});
