@@ -1,47 +1,16 @@
 // Any doubles to the numerical interface: an answer that is finite wherever it is called good, or the exception that
 // the header names. The first byte chooses the function, the rest are its arguments.
 
+#include "arguments.hpp"
+
 #include <calibrate/calibration.hpp>
 #include <ricochet/ricochet.hpp>
 
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <initializer_list>
 #include <stdexcept>
 
 using namespace ricochet;
 
 namespace {
-
-class Arguments {
- public:
-  Arguments(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-
-  /// Any bits; 1 when the input is spent.
-  double number() {
-    if (size_ < sizeof(double)) return 1;
-    double value;
-    std::memcpy(&value, data_, sizeof value);
-    data_ += sizeof value, size_ -= sizeof value;
-    return value;
-  }
-  /// In [0, 1), so that more inputs get past the first check.
-  double share() { return std::fabs(std::fmod(number(), 1.0)); }
-  std::uint8_t byte() {
-    if (size_ == 0) return 0;
-    return --size_, *data_++;
-  }
-
- private:
-  const std::uint8_t* data_;
-  std::size_t size_;
-};
-
-void expect_finite(std::initializer_list<double> values) {
-  for (const double value : values)
-    if (!std::isfinite(value)) throw std::logic_error("a result marked good is not finite");
-}
 
 void expect_good(const Collision& c) {
   expect_finite({c.tcol, c.en, c.max_overlap, c.time_max_overlap, c.max_force, c.time_max_force, c.overlap_end});

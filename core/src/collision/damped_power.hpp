@@ -58,6 +58,7 @@ template <int P, int Q, int R>
 struct StronglyDampedPower {
   /// y, f and the scaled time.
   using State = std::array<double, 3>;
+  static constexpr int force_power = Q;  ///< of the force's factor y^Q
 
   double gamma;
 

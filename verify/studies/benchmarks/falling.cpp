@@ -235,8 +235,13 @@ std::vector<Row> sliding_rows(double mu, std::optional<std::pair<double, double>
   const double time = speed / ((1 + q) * mu * gravity), rolling = speed * q / (1 + q);
   const std::string test = fmt::format("MFiX DEM04, mu = {}", mu);
   std::vector<Asked> asked{
-      {.test = test, .quantity = "end of sliding", .unit = "s", .exact = time, .scale = time, .order = {}},
-      {.test = test, .quantity = "speed then", .unit = "m/s", .exact = rolling, .scale = speed, .order = {}}};
+      {.test = test, .quantity = "end of sliding", .unit = "s", .exact = time, .scale = time, .check = Check::rounding},
+      {.test = test,
+       .quantity = "speed then",
+       .unit = "m/s",
+       .exact = rolling,
+       .scale = speed,
+       .check = Check::rounding}};
   // Published for an arm of r: 2v₀/(7μg) and 5v₀/7, which the sag moves by 1e-5 of themselves at most.
   if (printed) {
     asked[0].published = printed->first, asked[0].reading = 5e-7;

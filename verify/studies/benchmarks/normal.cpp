@@ -91,7 +91,7 @@ Row restitution_row(const Solid& s, double en) {
                     .quantity = "restitution",
                     .exact = en,
                     .scale = 1,
-                    .order = std::pair(1.25, 2.0),
+                    .order = {1.25, 2},
                     .published = en,
                     .reading = 1e-6};
   const ClusterSetup setup = against_wall(sphere, {law});

@@ -54,7 +54,7 @@ std::vector<Row> measure(const std::vector<Asked>& asked, double tcol, const Mea
       const double finer = 1 + 0.5 * mesh / meshes, step = tcol / ((coarsest << level) * finer);
       finest = values(step);
       for (std::size_t q = 0; q < asked.size(); ++q) {
-        const double order = asked[q].order ? asked[q].order->second : 0;
+        const double order = asked[q].check == Check::rounding ? 0 : asked[q].order.second;
         errors[q][level].push_back(relative_error(asked[q], finest[q]) * std::pow(finer, order));
       }
     }
@@ -66,18 +66,21 @@ std::vector<Row> measure(const std::vector<Asked>& asked, double tcol, const Mea
 
 void add_gates(std::vector<Gate>& gates, const std::vector<Row>& rows) {
   constexpr double finest_steps = coarsest << (levels - 1);
-  const double bound = std::pow(std::numbers::pi / finest_steps, 2);
+  const double second_order = std::pow(std::numbers::pi / finest_steps, 2);
   for (const Row& row : rows) {
     const Asked& asked = row.asked;
     const std::string what = fmt::format("{}: {}", asked.test, asked.quantity);
-    if (asked.order)
-      gates.push_back(between(what + ", observed order", row.order(), asked.order->first - order_allowance - row.noise,
-                              asked.order->second + order_allowance + row.noise));
+    const double bound = std::pow(std::numbers::pi / finest_steps, asked.order.first);
+    if (asked.check == Check::order)
+      gates.push_back(between(what + ", observed order", row.order(), asked.order.first - order_allowance - row.noise,
+                              asked.order.second + order_allowance + row.noise));
     const double worst = *std::max_element(row.errors.begin(), row.errors.end());
-    gates.push_back(asked.order ? at_most(what + ", relative error", row.errors.back(), bound)
-                                : at_most(what + ", relative error, rounding only", worst, rounding));
+    gates.push_back(asked.check != Check::rounding
+                        ? at_most(what + ", relative error", row.errors.back(), bound)
+                        : at_most(what + ", relative error, rounding only", worst, rounding));
     if (asked.published)
-      gates.push_back(near(what + ", as published", row.ours, *asked.published, asked.reading + bound * asked.scale));
+      gates.push_back(
+          near(what + ", as published", row.ours, *asked.published, asked.reading + second_order * asked.scale));
   }
 }
 
@@ -95,7 +98,8 @@ Table table(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     const Asked& a = row.asked;
     table.row({a.test, a.quantity, a.unit, a.published ? console::Cell(*a.published) : console::blank(), a.exact,
-               row.ours, row.errors.back(), a.order ? console::number_or_blank(row.order()) : console::blank()});
+               row.ours, row.errors.back(),
+               a.check == Check::order ? console::number_or_blank(row.order()) : console::blank()});
   }
   table.note(fmt::format("error: relative, mean over {} meshes of {} to {} steps a collision; order: from {} steps.",
                          meshes, coarsest << (levels - 1), (coarsest << (levels - 1)) * 3 / 2, coarsest));
@@ -107,7 +111,7 @@ console::Json to_json(const Row& row) {
   console::Json j = {{"test", a.test},       {"quantity", a.quantity}, {"unit", a.unit},       {"exact", a.exact},
                      {"published", nullptr}, {"ours", row.ours},       {"errors", row.errors}, {"order", nullptr}};
   if (a.published) j["published"] = *a.published;
-  if (a.order) j["order"] = console::number_or_null(row.order());
+  if (a.check == Check::order) j["order"] = console::number_or_null(row.order());
   return j;
 }
 

@@ -13,15 +13,22 @@
 
 namespace ricochet::verify::benchmarks {
 
+/// What is asked of the error.
+enum class Check {
+  order,    ///< both its order and its size
+  size,     ///< its size; terms of both signs make the order what it may be at these meshes
+  rounding  ///< the scheme is exact
+};
+
 /// One number that a benchmark asks for, with all that is claimed of it before it is measured.
 struct Asked {
   std::string test;      ///< "Chung & Ooi 1, glass"
   std::string quantity;  ///< "greatest overlap"
   std::string unit = {};
-  double exact = 0;  ///< by a closed form, or integrated to far more digits
-  double scale = 0;  ///< errors count relative to it
-  /// Orders that the error falls with, least and greatest; none: the scheme is exact but for rounding.
-  std::optional<std::pair<double, double>> order = std::pair(2.0, 2.0);
+  double exact = 0;                       ///< by a closed form, or integrated to far more digits
+  double scale = 0;                       ///< errors count relative to it
+  std::pair<double, double> order{2, 2};  ///< that the error falls with, least and greatest
+  Check check = Check::order;
   std::optional<double> published = {};
   double reading = 0;  ///< half of the published number's last digit, or what reading it off a curve may be wrong by
 };
@@ -45,8 +52,8 @@ inline constexpr int coarsest = 100;  ///< steps a collision
 /// dozen of meshes a little apart.
 std::vector<Row> measure(const std::vector<Asked>& asked, double tcol, const Measurement& values);
 
-/// Orders from both sides; the error on the finest mesh, at most (π/N)², some twenty times what a leapfrog's phase is
-/// off after half a swing; and the published number within its reading.
+/// Orders from both sides; the error on the finest mesh, at most (π/N)^p with the least order p (at p = 2 some twenty
+/// times what a leapfrog's phase is off after half a swing); and the published number within its reading.
 void add_gates(std::vector<Gate>& gates, const std::vector<Row>& rows);
 
 console::Table table(const std::vector<Row>& rows);

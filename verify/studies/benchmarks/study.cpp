@@ -1,5 +1,6 @@
 #include "falling.hpp"
 #include "normal.hpp"
+#include "oblique.hpp"
 #include "row.hpp"
 
 #include <verify/registry.hpp>
@@ -25,11 +26,13 @@ class Benchmarks : public Study {
 
   StudyResult run(const RunOptions&) override {
     std::vector<Row> rows = benchmarks::normal_rows();
-    const std::vector<Row> falling = benchmarks::falling_rows();
-    rows.insert(rows.end(), falling.begin(), falling.end());
+    for (const std::vector<Row>& more : {benchmarks::falling_rows(), benchmarks::oblique_rows()})
+      rows.insert(rows.end(), more.begin(), more.end());
     StudyResult result;
     benchmarks::add_gates(result.gates, rows);
     benchmarks::add_loading_gate(result.gates);
+    benchmarks::add_curve_gates(result.gates);
+    result.remarks = {{"Chung & Ooi, tests 4-6", benchmarks::curve_remark()}};
     result.tables = {benchmarks::table(rows)};
     result.rows = console::Json::array();
     for (const Row& row : rows) result.rows.push_back(benchmarks::to_json(row));

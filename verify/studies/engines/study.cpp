@@ -1,3 +1,4 @@
+#include "oblique.hpp"
 #include "outcome.hpp"
 
 #include <verify/registry.hpp>
@@ -121,6 +122,7 @@ std::string program_name(Engine engine, bool fractional) {
 /// What was run, and the programs that are not installed.
 struct Runs {
   std::vector<Outcome> outcomes = {};
+  std::vector<ObliqueOutcome> oblique = {};
   std::vector<std::string> missing = {};
   bool misses(const std::string& who) const { return std::find(missing.begin(), missing.end(), who) != missing.end(); }
 };
@@ -139,6 +141,9 @@ Runs run_all() {
       runs.missing.push_back(who);
     progress.advance();
   }
+  for (const Engine engine : {Engine::liggghts, Engine::lammps, Engine::yade})
+    if (const auto program = EngineProgram::find(engine))
+      for (const ObliqueContact& what : oblique_contacts(engine)) runs.oblique.push_back(engines::run(*program, what));
   return runs;
 }
 
@@ -164,15 +169,17 @@ class Engines : public Study {
 StudyResult Engines::run(const RunOptions&) {
   const Runs runs = run_all();
   StudyResult result;
-  result.tables = {results(runs.outcomes), deficiencies(runs.outcomes)};
+  result.tables = {results(runs.outcomes), deficiencies(runs.outcomes), oblique_table(runs.oblique)};
   result.rows = Json::array();
   for (const Outcome& o : runs.outcomes) {
     add_gates(result.gates, o);
     result.rows.push_back(row(o));
   }
   for (const std::string& who : required_) result.gates.push_back(holds(who + " is installed", !runs.misses(who)));
+  for (const Gate& gate : oblique_gates(runs.oblique)) result.gates.push_back(gate);
+  result.extra["oblique"] = oblique_rows(runs.oblique);
   result.extra["skipped"] = runs.missing;
-  result.verdict = fmt::format("{} contacts run", runs.outcomes.size());
+  result.verdict = fmt::format("{} contacts and {} oblique impacts run", runs.outcomes.size(), runs.oblique.size());
   for (const std::string& who : runs.missing) result.verdict += fmt::format("; SKIPPED {}: not installed here", who);
   result.verdict += ".";
   return result;

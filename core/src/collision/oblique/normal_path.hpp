@@ -28,8 +28,9 @@ class NormalPath {
   NormalPath& operator=(const NormalPath&) = delete;
 
   double length() const noexcept { return length_; }
-  double turn() const noexcept { return turn_; }    ///< s of the greatest overlap
-  bool closes() const noexcept { return closes_; }  ///< whether the overlap ends at 0
+  double turn() const noexcept { return turn_; }        ///< s of the greatest overlap
+  bool closes() const noexcept { return closes_; }      ///< whether the overlap ends at 0
+  bool complete() const noexcept { return complete_; }  ///< it was not given up on the way
   /// Of the length, at either end: what is nearer is shown as what is there, as stiffnesses may be 0 and slopes
   /// infinite beyond, and nothing happens any more.
   double margin() const noexcept { return margin_; }
@@ -44,7 +45,7 @@ class NormalPath {
   double inside(double s) const noexcept { return std::clamp(s, margin_ * length_, (1 - margin_) * length_); }
 
   double turn_ = 0, length_ = 0, margin_ = 1e-12, noise_ = 1e-15;
-  bool closes_ = false;
+  bool closes_ = false, complete_ = true;
 };
 
 }  // namespace ricochet::collision

@@ -175,6 +175,18 @@ Vec3 slip(const ImpactBody& i, const ImpactBody& j, Vec3 e) {
   return tangential(i.velocity - j.velocity, e) + cross(arms, e);
 }
 
+/// Of any length, also where its square is no normal double.
+Vec3 unit_normal(Vec3 normal) {
+  const double greatest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+  return direction(normal / greatest, {});
+}
+
+bool finite(const ObliqueCollision& out) {
+  const double spins = norm(out.spin_i) + norm(out.spin_j), velocities = norm(out.velocity_i) + norm(out.velocity_j);
+  return std::isfinite(spins + velocities + norm(out.impulse) + out.lost.sum() + out.impulse_ratio +
+                       out.et.value_or(0) + out.beta.value_or(0));
+}
+
 /// Adds what the impulse and the changes ΔW and ΔΩ make of the bodies: ω = e×W in the plane.
 void move(ImpactBody& i, ImpactBody& j, const State& y, Vec3 impulse, const Frame& frame) {
   const auto turn = [&](ImpactBody& b, std::size_t part, double about) {
@@ -201,11 +213,11 @@ Impact normal_impact(const ObliqueImpact& impact, const TangentialContact& tange
                                      {impact.j.spin, "spin"},
                                      {impact.normal, "normal"}})
     require_finite(vector, name);
-  support::require(norm(impact.normal) > 0, "normal", 0, "longer than 0");
+  support::require(impact.normal != Vec3{}, "normal", 0, "longer than 0");
   check(tangential);
   if (compliant(tangential.law) && tangential.torsion.limit == Torsion::Limit::disc)
     throw std::invalid_argument("torsion.limit = disc: must be none or separate where the law is compliant");
-  const double approach = dot(impact.i.velocity - impact.j.velocity, impact.normal) / norm(impact.normal);
+  const double approach = dot(impact.i.velocity - impact.j.velocity, unit_normal(impact.normal));
   support::require(approach > 0, "speed of approach", approach, "> 0");
   return {approach, 1 / (1 / impact.i.mass + 1 / impact.j.mass)};
 }
@@ -213,13 +225,13 @@ Impact normal_impact(const ObliqueImpact& impact, const TangentialContact& tange
 ObliqueCollision along(const NormalPath& path, const Collision& normal, const Collision& by_force,
                        const TangentialContact& tangential, const ObliqueImpact& impact,
                        const ObliqueOptions& options) {
-  const Vec3 unit = direction(impact.normal, {});
+  const Vec3 unit = unit_normal(impact.normal);
   const Frame frame(unit, slip(impact.i, impact.j, unit));
   const ObliqueImpact here{{0, 0, 1}, frame.into(impact.i), frame.into(impact.j)};
   TangentMotion motion(path, tangential, here, options, by_force);
   Follower follower(motion, path, options.max_evaluations);
   ObliqueCollision out{.status = normal.status, .normal = normal};
-  const bool finished = follower.run();
+  const bool finished = path.complete() && follower.run();
   out.evaluations = follower.evaluations();
   if (!finished) {
     out.status = CollisionStatus::budget_spent;
@@ -250,7 +262,7 @@ ObliqueCollision along(const NormalPath& path, const Collision& normal, const Co
               .torsion = y[TangentMotion::slid + torsion],
               .rolling = y[TangentMotion::slid + rolling]};
   motion.give_up_strain(y, out.lost);
-  return out;
+  return finite(out) ? out : ObliqueCollision{.status = CollisionStatus::out_of_range, .normal = normal};
 }
 
 }  // namespace ricochet::collision

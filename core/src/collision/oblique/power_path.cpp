@@ -35,7 +35,7 @@ class PowerPath final : public NormalPath {
     State change;
     motion_(y, change, 0.0);
     const double slope = change[2] > 0 ? force_slope(y) / change[2] : 0;
-    return {change[2] * unit_, std::max(1e-100, motion_.overlap(y)) * length_unit_, y[1] * rate_unit_,
+    return {change[2] * unit_, std::max(1e-100, motion_.overlap(y)) * length_unit_, motion_.rate(y) * rate_unit_,
             std::max(0.0, motion_.force(y)) * force_unit_, slope * force_unit_ / unit_};
   }
 
@@ -54,9 +54,11 @@ class PowerPath final : public NormalPath {
       const double s = length_;
       starts_.push_back(s);
       states_.push_back(steps.before());
-      if (const auto turn = steps.fall(Motion::rate, steps.taken())) turn_ = s + *turn;
+      if (const auto turn = steps.fall([this](const State& y) { return motion_.rate(y); }, steps.taken()))
+        turn_ = s + *turn;
       const auto end = steps.fall(left, steps.taken());
       length_ = s + end.value_or(steps.taken());
+      complete_ = end.has_value();
       if (end) return;
     }
   }
@@ -70,7 +72,7 @@ class PowerPath final : public NormalPath {
     return y;
   }
 
-  static constexpr std::size_t budget = 10'000'000;
+  static constexpr std::size_t budget = 1'000'000;
   static constexpr double first_step = 0.05;
 
   Motion motion_;
@@ -79,10 +81,22 @@ class PowerPath final : public NormalPath {
   std::vector<State> states_;
 };
 
+/// Past this γ the reduced force is followed instead of the velocity, of which it would be a small difference.
+constexpr double strong = 2;
+
+template <class Motion>
+struct StrongOf;
+template <int P, int Q, int R>
+struct StrongOf<DampedPower<P, Q, R>> {
+  using type = StronglyDampedPower<P, Q, R>;
+};
+
 template <class Motion, class Law>
 std::shared_ptr<const NormalPath> path(const Law& law, const Impact& impact) {
+  using Strong = typename StrongOf<Motion>::type;
   const double unit = time_unit<Motion>(law.k(), impact.velocity, impact.mass_eff);
   const Motion motion{damping_group<Motion>(law.c(), impact.velocity, impact.mass_eff, unit)};
+  if (motion.gamma > strong) return std::make_shared<PowerPath<Strong>>(Strong(motion), impact, unit);
   return std::make_shared<PowerPath<Motion>>(motion, impact, unit);
 }
 
