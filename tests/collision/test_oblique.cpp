@@ -241,6 +241,16 @@ TEST_CASE("what is no separation along the normal is none obliquely") {
         CollisionStatus::budget_spent);
 }
 
+TEST_CASE("a damping so small that the force is back past the overlap's end within a step hides no end") {
+  // y² + γ w > 0 again for y < 0: the last root lies 2√γ or so apart.
+  for (const double c : {1e-12, 1e-9, 1e-6, 1e-5, 1.08775e-4, 3.26521e-4, 1e-3}) {
+    const auto out = collide(Linear(1, c), {LinearTangential(1), measured}, {.i = {1, 10, {0.3, 0, 0.1}, {}}});
+    CAPTURE(c);
+    CHECK(out.separated());
+    CHECK(out.impulse_ratio > 0.05);
+  }
+}
+
 namespace {
 
 /// A rigid disc that slides and spins under R = kζ, ζ = (v/w) sin wt, by steps of `friction_impulse`, of order 2.

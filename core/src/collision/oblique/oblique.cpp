@@ -104,7 +104,8 @@ class Follower {
   /// The limit of steps whose error is of first order in their length.
   bool extrapolate() {
     constexpr int steps = 1 << 13;
-    evaluations_ = 6 * steps;
+    constexpr std::size_t all = std::size_t{6} * steps;
+    evaluations_ = all;
     if (evaluations_ > budget_) return false;
     const auto coarse = motion_.stepped(steps), fine = motion_.stepped(2 * steps);
     for (std::size_t part = 0; part < y_.size(); ++part) y_[part] = 2 * fine.state[part] - coarse.state[part];
