@@ -77,6 +77,33 @@ std::optional<std::vector<double>> youngs_moduli(const ContactSet& set);
 /// The restitution that the form −ln e/√(π²+ln²e) turns into `damping_ratio`; nothing where that is ≥ 1.
 std::optional<double> logarithmic_restitution(double damping_ratio);
 
+/// Whether the contacts have a tangential part.
+bool frictional(const ContactSet& set);
+/// Its k_t [kg/s²; Mindlin: kg/(s² m^{1/2})], c_t [kg/s] and μ.
+struct Sliding {
+  double k_t = 0, c_t = 0, mu = 0;
+};
+Sliding sliding_of(const PairCase& pair);
+bool is_mindlin(const ContactSet& set);
+/// Whether any contact has a tangential dashpot.
+bool damped_tangentially(const ContactSet& set);
+/// k_t/√R = 8 G* [Pa] of Mindlin's law.
+double mindlin_modulus(const PairCase& pair);
+
+/// For an engine whose dashpot feels the whole slip of a contact that slides.
+std::string dashpot_feels_slip(std::string_view engine);
+/// For an engine that judges the limit by the spring alone and adds the dashpot's force only while the contact sticks.
+std::string judges_spring_alone(std::string_view engine);
+/// What each of them does where Mindlin's contact grows or shrinks, beside the law that was asked for.
+std::string other_mindlin(std::string_view engine, std::string_view does);
+/// For an engine that makes the tangential stiffness of the moduli: the same contacts with Poisson's ratios that give
+/// it, those known where they do, else one for all; nullopt where none does.
+std::optional<ContactSet> with_shear_moduli(const ContactSet& set);
+/// For an engine whose tangential stiffness follows from the moduli, where these give another one.
+Body needs_shear_moduli(std::string_view engine);
+/// A tangential part that the engine can't be given beside this law.
+Body no_such_tangential(std::string_view engine, std::string_view why);
+
 /// Makes the body `close` when the engine ends contacts otherwise than asked, with the remark that says so.
 void end_otherwise(Body& body, const ContactSet& set, ContactEnd engine_end, std::string remark);
 

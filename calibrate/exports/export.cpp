@@ -38,6 +38,12 @@ void check(const PairCase& pair) {
   support::require_positive("velocity", pair.impact.velocity);
   support::require_positive("mass_eff", pair.impact.mass_eff);
   if (pair.radius_eff) support::require_positive("radius_eff", *pair.radius_eff);
+  if (pair.tangential) support::require(pair.tangential->mu >= 0, "mu", pair.tangential->mu, ">= 0");
+}
+
+/// One kind of tangential law, or none.
+bool alike(const std::optional<TangentialPart>& a, const std::optional<TangentialPart>& b) {
+  return a.has_value() == b.has_value() && (!a || a->law.index() == b->law.index());
 }
 
 void check(const ContactSet& set) {
@@ -48,6 +54,8 @@ void check(const ContactSet& set) {
     check(pair);
     if (pair.law.index() != set.pairs.front().law.index())
       throw std::invalid_argument("the contacts of a set must have laws of one kind");
+    if (!alike(pair.tangential, set.pairs.front().tangential))
+      throw std::invalid_argument("the contacts of a set must have tangential laws of one kind, or none");
     if (std::max(pair.a, pair.b) >= set.kinds.size() || set.kinds[pair.a].wall)
       throw std::invalid_argument("a contact must be of a grain with a grain or wall of the set");
   }
@@ -56,7 +64,7 @@ void check(const ContactSet& set) {
 ContactSet of_one_pair(const ExportCase& what) {
   return {what.end,
           {{.name = "grain", .density = what.density}},
-          {{0, 0, what.law, what.tcol, what.en, what.impact, what.radius_eff}}};
+          {{0, 0, what.law, what.tcol, what.en, what.impact, what.radius_eff, what.tangential}}};
 }
 
 /// "k = 7316 kg/s^2, c = 0.098 kg/s"
@@ -65,6 +73,27 @@ std::string in_words(const AnyLaw& law) {
   for (const NamedValue& p : parameters(law))
     words.push_back(fmt::format("{} = {}{}{}", p.name, shortest(p.value), p.unit.empty() ? "" : " ", p.unit));
   return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// "Tangential: linear, k_t = 2500 kg/s^2, c_t = 0 kg/s, mu = 0.3"
+std::string in_words(const TangentialPart& part) {
+  std::string words = fmt::format("Tangential: {}", name(part.law));
+  const std::vector<double> all = values(part.law);
+  std::size_t i = 0;
+  for (const Parameter& p : parameters_of(part.law))
+    words += fmt::format(", {} = {} {}", p.name, shortest(all[i++]), p.unit());
+  return words + fmt::format(", mu = {}", shortest(part.mu));
+}
+
+/// What the engine makes of the contacts.
+Body written(const Language& in, const ContactSet& set) {
+  if (frictional(set) && !compliant(set.pairs.front().tangential->law))
+    return absent(
+        fmt::format("NOT WRITTEN: {} has no friction without a spring, which the rigid law is; give a "
+                    "tangential law that has one.",
+                    in.version));
+  if (is_mindlin(set) && !knows_radii(set)) return needs_radius();
+  return in.write(set);
 }
 
 /// "0.55 (+10 %)": a value beside the one asked for.
@@ -104,6 +133,7 @@ std::string heading(const Language& in, const ContactSet& set) {
     if (pair.radius_eff) target += fmt::format(", effective radius {} m", shortest(*pair.radius_eff));
     append_comment(lines, in.comment, target);
     append_comment(lines, in.comment, fmt::format("Law: {}", in_words(pair.law)));
+    if (pair.tangential) append_comment(lines, in.comment, in_words(*pair.tangential));
   }
   for (const std::string& note : set.notes) append_comment(lines, in.comment, note);
   return lines;
@@ -216,7 +246,7 @@ void append_step(const Language& in, const ContactSet& set, const Body& body, Sn
 }  // namespace
 
 bool runs(Engine engine, const ExportCase& what) {
-  const Body body = language(engine).write(of_one_pair(what));
+  const Body body = written(language(engine), of_one_pair(what));
   return body.fidelity != Fidelity::absent && !body.other_end;
 }
 
@@ -242,7 +272,7 @@ std::string_view text(Fidelity fidelity) noexcept {
 Snippet export_contacts(Engine engine, const ContactSet& set) {
   check(set);
   const Language& in = language(engine);
-  Body body = in.write(set);
+  Body body = written(in, set);
   Snippet snippet{engine, set.pairs.front().law, set.end, body.fidelity, {}, body.remarks, heading(in, set)};
   const ContactEnd end = end_in(set, body);
   if (body.fidelity != Fidelity::absent) {
@@ -389,6 +419,87 @@ std::optional<std::vector<double>> youngs_moduli(const ContactSet& set) {
 std::optional<double> logarithmic_restitution(double damping_ratio) {
   if (damping_ratio >= 1) return std::nullopt;
   return restitution_of_damping(damping_ratio, ContactEnd::overlap);
+}
+
+bool frictional(const ContactSet& set) { return set.pairs.front().tangential.has_value(); }
+
+Sliding sliding_of(const PairCase& pair) {
+  const TangentialPart& part = pair.tangential.value();
+  const std::vector<double> all = values(part.law);
+  return {all.at(0), all.at(1), part.mu};
+}
+
+bool is_mindlin(const ContactSet& set) {
+  return frictional(set) && std::holds_alternative<MindlinTangential>(set.pairs.front().tangential->law);
+}
+
+bool damped_tangentially(const ContactSet& set) {
+  return frictional(set) &&
+         std::any_of(set.pairs.begin(), set.pairs.end(), [](const PairCase& p) { return sliding_of(p).c_t > 0; });
+}
+
+double mindlin_modulus(const PairCase& pair) { return sliding_of(pair).k_t / std::sqrt(pair.radius_eff.value()); }
+
+std::string dashpot_feels_slip(std::string_view engine) {
+  return fmt::format(
+      "{}'s tangential dashpot feels the whole slip of a contact that slides: the law asked for has its slider in "
+      "series "
+      "with spring and dashpot. The rebound differs where the contact slides and c_t > 0.",
+      engine);
+}
+
+std::string judges_spring_alone(std::string_view engine) {
+  return fmt::format(
+      "{} compares the spring's force alone with mu R and adds the dashpot's only while the contact sticks: the law "
+      "asked for compares their sum. The rebound differs where the contact slides and c_t > 0.",
+      engine);
+}
+
+std::string other_mindlin(std::string_view engine, std::string_view does) {
+  return fmt::format(
+      "{}: {}. The law asked for keeps the force while the contact grows and the strain while it shrinks, so that no "
+      "energy is made (LAMMPS: mindlin_rescale/force).",
+      engine, does);
+}
+
+namespace {
+
+/// Whether the moduli that make each pair's E* make its G* as well, to 1e-6.
+bool shears_as_asked(const ContactSet& set) {
+  const auto young = youngs_moduli(set);
+  if (!young) return false;
+  // (2−ν)/G of a body [1/Pa], G = E/(2(1+ν)).
+  const auto gives_way = [&](std::size_t i) {
+    const double nu = set.kinds[i].poisson;
+    return 2 * (2 - nu) * (1 + nu) / (*young)[i];
+  };
+  return std::all_of(set.pairs.begin(), set.pairs.end(), [&](const PairCase& p) {
+    return std::abs(mindlin_modulus(p) * (gives_way(p.a) + gives_way(p.b)) / 8 - 1) <= 1e-6;
+  });
+}
+
+}  // namespace
+
+std::optional<ContactSet> with_shear_moduli(const ContactSet& set) {
+  if (shears_as_asked(set)) return set;
+  // Of equal materials q = G*/E* = (1−ν)/(2(2−ν)), and k_t/k = 8G*√R/((4/3)E*√R) = 6q.
+  const PairCase& first = set.pairs.front();
+  const double q = sliding_of(first).k_t / (6 * values(first.law).front()), nu = (1 - 4 * q) / (1 - 2 * q);
+  if (!(q < 1.0 / 3 && nu <= 0.5)) return std::nullopt;
+  ContactSet other = set;
+  for (BodyKind& kind : other.kinds) kind.poisson = nu;
+  return shears_as_asked(other) ? std::optional(other) : std::nullopt;
+}
+
+Body needs_shear_moduli(std::string_view engine) {
+  return absent(fmt::format(
+      "NOT WRITTEN: {} makes k_t = 8 G* sqrt(R) of the moduli that make k, and no Poisson's ratio gives this one of "
+      "all pairs: k_t/k must lie between 1 and 2, the same for all pairs or as their materials give it.",
+      engine));
+}
+
+Body no_such_tangential(std::string_view engine, std::string_view why) {
+  return absent(fmt::format("NOT WRITTEN: {}'s tangential part can't be given beside this law: {}.", engine, why));
 }
 
 void end_otherwise(Body& body, const ContactSet& set, ContactEnd engine_end, std::string remark) {

@@ -28,11 +28,39 @@ constexpr int polynomial_changed = 20260101;
 struct Lammps {
   const ContactSet& set;
 
+  /// The normal damping [kg/s] that LAMMPS multiplies its tangential damping by, where it is constant during a contact.
+  static double damping_of(const PairCase& p) {
+    const auto* law = std::get_if<Linear>(&p.law);
+    return law ? law->c() : 0;
+  }
+
+  /// "linear_history k_t x_t mu" with x_t = c_t/c.
+  std::string tangential(const PairCase& p) const {
+    if (!frictional(set)) return "linear_nohistory 0.0 0.0";
+    const auto [k_t, c_t, mu] = sliding_of(p);
+    return fmt::format("{} {} {} {}", is_mindlin(set) ? "mindlin_rescale/force" : "linear_history",
+                       shortest(is_mindlin(set) ? mindlin_modulus(p) : k_t),
+                       shortest(c_t > 0 ? c_t / damping_of(p) : 0), shortest(mu));
+  }
+
+  /// Why LAMMPS can't be given the tangential dashpots; nothing where it can.
+  std::optional<Body> without_dashpots() const {
+    if (!frictional(set)) return std::nullopt;
+    for (const PairCase& p : set.pairs)
+      if (sliding_of(p).c_t > 0 && !(damping_of(p) > 0))
+        return no_such_tangential(
+            "LAMMPS",
+            "its tangential damping is a multiple of the normal one, which is 0 or changes during "
+            "the contact; take the undamped form, c_t = 0");
+    return std::nullopt;
+  }
+
   /// What follows pair_coeff or wall/gran granular: `normal` with its two numbers, stiffness and damping, and the kind
   /// of damping that the second one sets.
-  std::string contact(std::string_view normal, double stiffness, double strength, std::string_view damping) const {
-    return fmt::format("{} {} {} damping {} tangential linear_nohistory 0.0 0.0{}", normal, shortest(stiffness),
-                       shortest(strength), damping, set.end == ContactEnd::force ? " limit_damping" : "");
+  std::string contact(const PairCase& p, std::string_view normal, double stiffness, double strength,
+                      std::string_view damping) const {
+    return fmt::format("{} {} {} damping {} tangential {}{}", normal, shortest(stiffness), shortest(strength), damping,
+                       tangential(p), set.end == ContactEnd::force ? " limit_damping" : "");
   }
 
   /// The command that gives the pair, up to its contact.
@@ -84,10 +112,16 @@ struct Lammps {
       if (!one_grain())
         text += "A group holds the grains that there are: include after they are made, and pour into these groups. ";
     }
-    return text +
-           "Needs atom_style sphere, newton off and comm_modify vel yes. The tangential part is frictionless; "
-           "put yours in its place. limit_damping clips the attractive part of the force (contact ended by "
-           "force).";
+    text += "Needs atom_style sphere, newton off and comm_modify vel yes. ";
+    text += !frictional(set) ? "The tangential part is frictionless; put yours in its place. "
+            : is_mindlin(set)
+                ? "mindlin_rescale/force multiplies its stiffness by the contact radius sqrt(R overlap): 8 G*. "
+                : "linear_history takes k_t as it is. ";
+    if (damped_tangentially(set))
+      text +=
+          "Its damping is a multiple of the normal one, c_t/c. The styles gran/hooke/history take gamma_t = "
+          "c_t/m, 1/s. ";
+    return text + "limit_damping clips the attractive part of the force (contact ended by force).";
   }
 
   Body operator()(const Linear& law) const {
@@ -98,7 +132,7 @@ struct Lammps {
                                     "and gran/hooke/history take it per effective mass instead: gamma_n = {} 1/s here.",
                                     shortest(law.c() / set.pairs.front().impact.mass_eff))},
             .input = each([this](const PairCase& p) {
-              return contact("hooke", law_of<Linear>(p).k(), law_of<Linear>(p).c(), "velocity");
+              return contact(p, "hooke", law_of<Linear>(p).k(), law_of<Linear>(p).c(), "velocity");
             })};
   }
 
@@ -112,7 +146,7 @@ struct Lammps {
             .input = each([this](const PairCase& p) {
               const auto& law = law_of<KuwabaraKono>(p);
               const double root = std::sqrt(*p.radius_eff);
-              return contact("hertz", law.k() / root, law.c() / (p.impact.mass_eff * root), "viscoelastic");
+              return contact(p, "hertz", law.k() / root, law.c() / (p.impact.mass_eff * root), "viscoelastic");
             })};
   }
 
@@ -135,12 +169,12 @@ struct Lammps {
   /// One contact by version: through a restitution where that exists, through the polynomial before.
   std::string by_version(const PairCase& p) const {
     const auto [normal, stiffness, eta, beta] = ratio_of(p);
-    if (eta == 0) return fmt::format("{}{}{}\n", before(p), contact(normal, stiffness, 0, "velocity"), behind(p));
+    if (eta == 0) return fmt::format("{}{}{}\n", before(p), contact(p, normal, stiffness, 0, "velocity"), behind(p));
     const auto en = logarithmic_restitution(beta);
     const std::string since =
-        en ? "\"" + before(p) + contact(normal, stiffness, *en, "coeff_restitution") + behind(p) + "\""
+        en ? "\"" + before(p) + contact(p, normal, stiffness, *en, "coeff_restitution") + behind(p) + "\""
            : "\"print 'Ricochet: no damping of this version is that strong for sure'\" quit";
-    const std::string until = before(p) + contact(normal, stiffness, *polynomial_argument(eta), "tsuji") + behind(p);
+    const std::string until = before(p) + contact(p, normal, stiffness, *polynomial_argument(eta), "tsuji") + behind(p);
     return fmt::format("if \"$(version) >= {}\" then &\n  {} &\nelse &\n  \"{}\"\n",
                        en ? knows_restitution : polynomial_changed, since, until);
   }
@@ -186,6 +220,15 @@ struct Lammps {
 
 }  // namespace
 
-Body write_lammps(const ContactSet& set) { return std::visit(Lammps{set}, set.pairs.front().law); }
+Body write_lammps(const ContactSet& set) {
+  const Lammps lammps{set};
+  if (auto refused = lammps.without_dashpots()) return *refused;
+  Body body = std::visit(lammps, set.pairs.front().law);
+  if (damped_tangentially(set) && body.fidelity == Fidelity::exact) {
+    body.fidelity = Fidelity::close;
+    body.remarks.push_back(dashpot_feels_slip("LAMMPS"));
+  }
+  return body;
+}
 
 }  // namespace ricochet::calibration

@@ -31,9 +31,31 @@ struct Liggghts {
       text +=
           "A variable that is set before keeps its value: set ricochet_wall as you need it, also to mesh n_meshes "
           "1 meshes NAME. ";
-    return text +
-           "Needs atom_style granular, newton off and communicate single vel yes. tangential off has no "
-           "friction; put your model in its place.";
+    text += "Needs atom_style granular, newton off and communicate single vel yes. ";
+    return text + (frictional(set) ? "" : "tangential off has no friction; put your model in its place.");
+  }
+
+  /// A model's words with its tangential part.
+  std::string model(std::string_view normal) const {
+    return fmt::format("{} tangential {}", normal, frictional(set) ? "history" : "off");
+  }
+  const char* damping() const { return damped_tangentially(set) ? "tangential_damping on" : "tangential_damping off"; }
+  std::string k_t() const {
+    return matrix("kt", [this](const PairCase& p) { return frictional(set) ? sliding_of(p).k_t : 0; });
+  }
+  std::string mu() const {
+    return matrix("coefficientFriction", [](const PairCase& p) { return sliding_of(p).mu; });
+  }
+  static std::string keeps_strain() {
+    return other_mindlin("LIGGGHTS",
+                         "tangential history keeps the elongation while the stiffness grows with the "
+                         "contact, so that the force grows with it");
+  }
+  static Body constant_with_hertz() {
+    return no_such_tangential("LIGGGHTS", "its Hertzian models let k_t grow with the contact; take mindlin");
+  }
+  static Body dashpot_with_hertz() {
+    return no_such_tangential("LIGGGHTS", "its Hertzian models let c_t change with the contact; take c_t = 0");
   }
 
   /// f(pair) of every two types.
@@ -64,32 +86,57 @@ struct Liggghts {
   }
 
   Body operator()(const Linear& law) const {
-    return {
+    if (is_mindlin(set))
+      return no_such_tangential("LIGGGHTS", "hooke/stiffness has a constant k_t; take the linear tangential law");
+    Body body{
         .fidelity = Fidelity::exact,
         .remarks = {setting(),
                     fmt::format("absolute_damping on takes c in kg/s as it is; without it LIGGGHTS wants gamman per "
                                 "effective mass, {} 1/s here. limitForce on clips the attractive part of the force.",
                                 shortest(law.c() / set.pairs.front().impact.mass_eff))},
         .input = with_style(
-            {matrix("kn", [](const PairCase& p) { return law_of<Linear>(p).k(); }), constant("kt", 0),
-             matrix("gamman_abs", [](const PairCase& p) { return law_of<Linear>(p).c(); }), constant("gammat_abs", 0)},
-            "hooke/stiffness tangential off", fmt::format("absolute_damping on {} tangential_damping off", limit()))};
+            {matrix("kn", [](const PairCase& p) { return law_of<Linear>(p).k(); }), k_t(),
+             matrix("gamman_abs", [](const PairCase& p) { return law_of<Linear>(p).c(); }),
+             matrix("gammat_abs", [this](const PairCase& p) { return frictional(set) ? sliding_of(p).c_t : 0; })},
+            model("hooke/stiffness"), fmt::format("absolute_damping on {} {}", limit(), damping()))};
+    if (frictional(set)) {
+      body.input = mu() + "\n" + body.input;
+      body.remarks.emplace_back("tangential history takes k_t as kt and c_t as gammat_abs.");
+    }
+    if (damped_tangentially(set)) {
+      body.fidelity = Fidelity::close;
+      body.remarks.push_back(judges_spring_alone("LIGGGHTS"));
+    }
+    return body;
   }
 
   Body operator()(const KuwabaraKono&) const {
     if (!knows_radii(set)) return needs_radius();
+    if (frictional(set) && !is_mindlin(set)) return constant_with_hertz();
+    if (damped_tangentially(set)) return dashpot_with_hertz();
     const auto stiffness = [](const PairCase& p) { return law_of<KuwabaraKono>(p).k() / std::sqrt(*p.radius_eff); };
     const auto damping = [](const PairCase& p) {
       return law_of<KuwabaraKono>(p).c() / (p.impact.mass_eff * std::sqrt(*p.radius_eff));
     };
-    return {.fidelity = Fidelity::exact,
-            .remarks = {setting(),
-                        "hertz/stiffness multiplies kn by sqrt(R overlap), gamman by that and the effective "
-                        "mass: k/sqrt(R), c/(m sqrt(R)).",
-                        tied_to_pair()},
-            .input = with_style(
-                {matrix("kn", stiffness), constant("kt", 0), matrix("gamman", damping), constant("gammat", 0)},
-                "hertz/stiffness tangential off", fmt::format("{} tangential_damping off", limit()))};
+    const auto shear = [this](const PairCase& p) { return frictional(set) ? mindlin_modulus(p) : 0; };
+    Body body{.fidelity = Fidelity::exact,
+              .remarks = {setting(),
+                          "hertz/stiffness multiplies kn by sqrt(R overlap), gamman by that and the effective "
+                          "mass: k/sqrt(R), c/(m sqrt(R)).",
+                          tied_to_pair()},
+              .input = with_style(
+                  {matrix("kn", stiffness), matrix("kt", shear), matrix("gamman", damping), constant("gammat", 0)},
+                  model("hertz/stiffness"), fmt::format("{} tangential_damping off", limit()))};
+    if (frictional(set)) grow_with_contact(body, "kt is 8 G*, multiplied by the contact radius as kn is.");
+    return body;
+  }
+
+  /// Mindlin's law as LIGGGHTS has it.
+  void grow_with_contact(Body& body, std::string remark) const {
+    body.fidelity = Fidelity::close;
+    body.input = mu() + "\n" + body.input;
+    body.remarks.push_back(std::move(remark));
+    body.remarks.push_back(keeps_strain());
   }
 
   /// The restitution that makes LIGGGHTS take this law's damping; NaN of an overdamped one.
@@ -99,6 +146,8 @@ struct Liggghts {
 
   Body operator()(const Tsuji&) const {
     if (!knows_radii(set)) return needs_radius();
+    if (frictional(set) && !is_mindlin(set)) return constant_with_hertz();
+    if (damped_tangentially(set)) return dashpot_with_hertz();
     for (const PairCase& pair : set.pairs)
       if (const double en = asked_for(pair); !(en > 0.05))
         return absent(
@@ -106,13 +155,14 @@ struct Liggghts {
                         std::isnan(en) ? "an overdamped one" : shortest(en)));
     const auto young = youngs_moduli(set);
     if (!young) return needs_materials("LIGGGHTS");
-    Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(),
-                          "hertz knows moduli, not stiffnesses: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for "
-                          "two equal bodies.",
-                          keeps_restitution()},
-              .input = with_style(materials(*young), "hertz tangential off",
-                                  fmt::format("{} tangential_damping off", limit()))};
+    Body body{
+        .fidelity = Fidelity::exact,
+        .remarks = {setting(),
+                    "hertz knows moduli, not stiffnesses: k = (4/3) E* sqrt(R), E* = E/(2(1-nu^2)) for "
+                    "two equal bodies.",
+                    keeps_restitution()},
+        .input = with_style(materials(*young), model("hertz"), fmt::format("{} tangential_damping off", limit()))};
+    if (frictional(set)) grow_with_contact(body, "k_t = 8 G* sqrt(R) follows from the same moduli.");
     if (set.end == ContactEnd::force)
       body.remarks.push_back(
           fmt::format("LIGGGHTS derives the damping for a force that may attract, so with limitForce on it rebounds "
@@ -145,6 +195,7 @@ struct Liggghts {
 
   Body operator()(const Hysteretic& law) const {
     if (!knows_radii(set)) return needs_radius();
+    if (frictional(set)) return no_such_tangential("LIGGGHTS", "luding takes its own stiffness for k_t");
     if (law.k1() == law.k2()) return absent("NOT WRITTEN: luding needs k2 > k1; use the linear law with c = 0.");
     const auto unloading = [](const PairCase& p) { return law_of<Hysteretic>(p).k2() / law_of<Hysteretic>(p).k1(); };
     const auto depth = [unloading](const PairCase& p) {
@@ -169,6 +220,8 @@ struct Liggghts {
   Body operator()(const Fractional&) const {
     if (set.end != ContactEnd::force)
       return absent("NOT WRITTEN: normal fractional ends contacts by force; export with --end force.");
+    if (frictional(set))
+      return no_such_tangential("LIGGGHTS", "normal fractional makes k_t of its own spring, or 2/7 of it by ktToKn on");
     const std::vector<std::string> by_target{matrix("collisionTime", [](const PairCase& p) { return p.tcol; }),
                                              matrix("coefficientRestitution", [](const PairCase& p) { return p.en; })};
     Body body{.fidelity = Fidelity::exact,
@@ -200,6 +253,12 @@ struct Liggghts {
 
 }  // namespace
 
-Body write_liggghts(const ContactSet& set) { return std::visit(Liggghts{set}, set.pairs.front().law); }
+Body write_liggghts(const ContactSet& set) {
+  if (is_mindlin(set) && std::holds_alternative<Tsuji>(set.pairs.front().law)) {
+    const auto sheared = with_shear_moduli(set);
+    return sheared ? std::visit(Liggghts{*sheared}, set.pairs.front().law) : needs_shear_moduli("LIGGGHTS");
+  }
+  return std::visit(Liggghts{set}, set.pairs.front().law);
+}
 
 }  // namespace ricochet::calibration

@@ -38,23 +38,43 @@ struct MercuryDpm {
         text +=
             fmt::format("auto {} = speciesHandler.getMixedObject({}, {});\n", acts, name_of(pair.a), name_of(pair.b));
       }
-      for (const std::string& setter : setters(pair)) text += fmt::format("{}->{};\n", acts, setter);
+      auto all = setters(pair);
+      for (std::string& setter : sliding(pair)) all.push_back(std::move(setter));
+      for (const std::string& setter : all) text += fmt::format("{}->{};\n", acts, setter);
     }
     return text;
+  }
+  /// What makes a pair slide; nothing without friction.
+  std::vector<std::string> sliding(const PairCase& pair) const {
+    if (!frictional(set)) return {};
+    const auto [k_t, c_t, mu] = sliding_of(pair);
+    return {fmt::format("setSlidingStiffness({})", shortest(k_t)),
+            fmt::format("setSlidingDissipation({})", shortest(c_t)),
+            fmt::format("setSlidingFrictionCoefficient({})", shortest(mu))};
+  }
+  /// The species of a normal force with or without friction.
+  std::string named(const std::string& normal) const {
+    return normal + (frictional(set) ? "SlidingFriction" : "") + "Species";
   }
   static std::vector<std::string> hertzian(const PairCase& pair, double stiffness, double dissipation) {
     return {fmt::format("setEffectiveElasticModulus({})", shortest(effective_modulus(stiffness, *pair.radius_eff))),
             fmt::format("setDissipation({})", shortest(dissipation))};
   }
-  static std::string header(std::string_view of) {
+  std::string header(std::string_view of) const {
     return fmt::format(
-        "Goes into setupInitialConditions() of a Mercury3D driver; needs #include \"Species/{}.h\". For friction take "
-        "the species of the same name with Friction or Mindlin in it.",
-        of);
+        "Goes into setupInitialConditions() of a Mercury3D driver; needs #include \"Species/{}.h\". {}", of,
+        frictional(set) ? "Sliding takes k_t, c_t in kg/s and mu of the pair as they are. Not run here: read in its "
+                          "source."
+                        : "For friction take the species of the same name with Friction or Mindlin in it.");
+  }
+  Body mindlin() const {
+    return no_such_tangential("MercuryDPM",
+                              "its Mindlin species is Mindlin and Deresiewicz's, with slip at the rim of the contact; "
+                              "take the linear tangential law");
   }
 
   Body operator()(const Linear&) const {
-    constexpr std::string_view of = "LinearViscoelasticSpecies";
+    const std::string of = named("LinearViscoelastic");
     Body body{.fidelity = Fidelity::exact,
               .remarks = {header(of),
                           "setDissipation takes c in kg/s of the pair as it is. setCollisionTimeAnd"
@@ -70,7 +90,7 @@ struct MercuryDpm {
 
   Body operator()(const KuwabaraKono&) const {
     if (!knows_radii(set)) return needs_radius();
-    constexpr std::string_view of = "HertzianBSHPViscoelasticSpecies";
+    const std::string of = named("HertzianBSHPViscoelastic");
     return {.fidelity = Fidelity::exact,
             .remarks = {header(of),
                         "Dissipation is Brilliantov's A in seconds, c = (3/2) A k, and the modulus is E*, "
@@ -84,7 +104,7 @@ struct MercuryDpm {
 
   Body operator()(const Tsuji&) const {
     if (!knows_radii(set)) return needs_radius();
-    constexpr std::string_view of = "HertzianViscoelasticSpecies";
+    const std::string of = named("HertzianViscoelastic");
     Body body{.fidelity = Fidelity::exact,
               .remarks = {header(of),
                           "The modulus is E*, k = (4/3) E* sqrt(R). Dissipation has no unit: c = dissipation "
@@ -99,7 +119,7 @@ struct MercuryDpm {
   }
 
   Body operator()(const Hysteretic&) const {
-    constexpr std::string_view of = "LinearPlasticViscoelasticSpecies";
+    const std::string of = named("LinearPlasticViscoelastic");
     return {.fidelity = Fidelity::exact,
             .remarks = {header(of),
                         "Without setDoConstantUnloadingStiffness(true) the unloading stiffness grows with "
@@ -124,6 +144,15 @@ struct MercuryDpm {
 
 }  // namespace
 
-Body write_mercurydpm(const ContactSet& set) { return std::visit(MercuryDpm{set}, set.pairs.front().law); }
+Body write_mercurydpm(const ContactSet& set) {
+  const MercuryDpm mercury{set};
+  if (is_mindlin(set)) return mercury.mindlin();
+  Body body = std::visit(mercury, set.pairs.front().law);
+  if (damped_tangentially(set) && body.fidelity == Fidelity::exact) {
+    body.fidelity = Fidelity::close;
+    body.remarks.push_back(dashpot_feels_slip("MercuryDPM"));
+  }
+  return body;
+}
 
 }  // namespace ricochet::calibration

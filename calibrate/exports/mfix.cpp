@@ -13,10 +13,9 @@ struct Mfix {
   const ContactSet& set;
 
   std::string setting() const {
-    return fmt::format(
-        "For the project file with one solids phase and units 'SI'; {}. MEW and MEW_W of 0 are "
-        "frictionless; put yours in their place.",
-        walls_of(set).empty() ? "walls get the same numbers" : "the numbers with W are the wall's");
+    return fmt::format("For the project file with one solids phase and units 'SI'; {}.{}",
+                       walls_of(set).empty() ? "walls get the same numbers" : "the numbers with W are the wall's",
+                       frictional(set) ? "" : " MEW and MEW_W of 0 are frictionless; put yours in their place.");
   }
   static std::string attracts() {
     return "MFiX does not clip the attractive part of the force, so contacts end by overlap; calibrate with --end "
@@ -35,6 +34,31 @@ struct Mfix {
   const PairCase& at_wall() const { return walls_of(set).empty() ? grains() : *find_pair(set, 0, 1); }
   bool one_phase() const { return set.kinds.size() - walls_of(set).size() == 1 && walls_of(set).size() <= 1; }
 
+  std::string friction() const {
+    if (!frictional(set)) return "MEW = 0.0\nMEW_W = 0.0\n";
+    return fmt::format("MEW = {}\nMEW_W = {}\n", shortest(sliding_of(grains()).mu), shortest(sliding_of(at_wall()).mu));
+  }
+
+  /// KT_FAC = k_t/k and DES_ETAT_FAC = c_t/c, each in [0, 1]; nothing where one is not.
+  struct Shares {
+    double stiffness = 0, damping = 0;
+  };
+  static std::optional<Shares> shares(const PairCase& p) {
+    const auto [k_t, c_t, mu] = sliding_of(p);
+    const auto& law = law_of<Linear>(p);
+    const Shares s{k_t / law.k(), c_t > 0 ? c_t / law.c() : 0};
+    return s.stiffness <= 1 && s.damping <= 1 ? std::optional(s) : std::nullopt;
+  }
+  /// The four factors; nothing where MFiX would refuse one.
+  std::optional<std::string> factors() const {
+    if (!frictional(set)) return "";
+    const auto pair = shares(grains()), wall = shares(at_wall());
+    if (!pair || !wall) return std::nullopt;
+    return fmt::format("KT_FAC = {}\nKT_W_FAC = {}\nDES_ETAT_FAC = {}\nDES_ETAT_W_FAC = {}\n",
+                       shortest(pair->stiffness), shortest(wall->stiffness), shortest(pair->damping),
+                       shortest(wall->damping));
+  }
+
   /// The restitution of which MFiX computes this law's damping.
   template <class Law>
   static std::optional<double> restitution(const PairCase& pair) {
@@ -49,6 +73,9 @@ struct Mfix {
 
   Body operator()(const Linear&) const {
     if (!one_phase()) return several();
+    if (is_mindlin(set)) return no_such_tangential("MFiX", "LSD has a constant k_t; take the linear tangential law");
+    const auto sliding = factors();
+    if (!sliding) return no_such_tangential("MFiX", "LSD wants k_t/k and c_t/c in [0, 1]");
     const auto en = restitution<Linear>(grains()), en_wall = restitution<Linear>(at_wall());
     if (!en || !en_wall) return overdamped();
     Body body{.fidelity = Fidelity::exact,
@@ -60,12 +87,20 @@ KN = {}
 KN_W = {}
 DES_EN_INPUT(1) = {}
 DES_EN_WALL_INPUT(1) = {}
-MEW = 0.0
-MEW_W = 0.0
-)",
+{}{})",
                                    shortest(law_of<Linear>(grains()).k()), shortest(law_of<Linear>(at_wall()).k()),
-                                   shortest(*en), shortest(*en_wall))};
+                                   shortest(*en), shortest(*en_wall), *sliding, friction())};
     body.divided_time = own_collision_time(law_of<Linear>(grains()).k(), grains().impact.mass_eff, *en);
+    if (frictional(set))
+      body.remarks.emplace_back(
+          "KT_FAC is k_t/k, DES_ETAT_FAC c_t/c, each of at most 1; without them MFiX takes 2/7 "
+          "and 1/2. Not run here: read in its source.");
+    if (damped_tangentially(set)) {
+      body.fidelity = Fidelity::close;
+      body.remarks.emplace_back(
+          "MFiX compares the spring's force alone with mu R and adds the dashpot's always, also where the contact "
+          "slides: the rebound differs from the law's there.");
+    }
     end_otherwise(body, set, ContactEnd::overlap, attracts());
     return body;
   }
@@ -77,6 +112,10 @@ MEW_W = 0.0
   Body operator()(const Tsuji& law) const {
     if (!knows_radii(set)) return needs_radius();
     if (!one_phase()) return several();
+    if (frictional(set) && !is_mindlin(set))
+      return no_such_tangential("MFiX", "HERTZIAN lets k_t grow with the contact; take mindlin");
+    if (damped_tangentially(set))
+      return no_such_tangential("MFiX", "HERTZIAN lets c_t change with the contact; take c_t = 0");
     const auto en = restitution<Tsuji>(grains()), en_wall = restitution<Tsuji>(at_wall());
     if (!en || !en_wall) return overdamped();
     const auto young = youngs_moduli(set);
@@ -101,14 +140,19 @@ DES_EN_INPUT(1) = {en}
 DES_EN_WALL_INPUT(1) = {en_wall}
 DES_ET_INPUT(1) = 1.0
 DES_ET_WALL_INPUT(1) = 1.0
-MEW = 0.0
-MEW_W = 0.0
-)",
+{friction})",
                         fmt::arg("young", shortest(young->front())), fmt::arg("young_wall", shortest(young->back())),
                         fmt::arg("nu", shortest(set.kinds.front().poisson)),
                         fmt::arg("nu_wall", shortest(set.kinds.back().poisson)), fmt::arg("en", shortest(*en)),
-                        fmt::arg("en_wall", shortest(*en_wall)))};
+                        fmt::arg("en_wall", shortest(*en_wall)), fmt::arg("friction", friction()))};
     body.divided_time = own_collision_time(law_of<Tsuji>(grains()).k(), grains().impact.mass_eff, *en);
+    if (frictional(set)) {
+      body.fidelity = Fidelity::close;
+      body.remarks.emplace_back(
+          "k_t = 8 G* sqrt(R) follows from the same moduli; DES_ET_INPUT of 1 means no c_t. Not "
+          "run here: read in its source.");
+      body.remarks.push_back(other_mindlin("MFiX", "its tangential elongation is kept while the stiffness grows"));
+    }
     end_otherwise(body, set, ContactEnd::overlap, attracts());
     return body;
   }
@@ -126,6 +170,12 @@ MEW_W = 0.0
 
 }  // namespace
 
-Body write_mfix(const ContactSet& set) { return std::visit(Mfix{set}, set.pairs.front().law); }
+Body write_mfix(const ContactSet& set) {
+  if (is_mindlin(set) && std::holds_alternative<Tsuji>(set.pairs.front().law)) {
+    const auto sheared = with_shear_moduli(set);
+    return sheared ? std::visit(Mfix{*sheared}, set.pairs.front().law) : needs_shear_moduli("MFiX");
+  }
+  return std::visit(Mfix{set}, set.pairs.front().law);
+}
 
 }  // namespace ricochet::calibration

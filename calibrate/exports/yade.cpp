@@ -16,8 +16,9 @@ struct Yade {
   bool several() const { return set.kinds.size() > 1; }
 
   std::string setting() const {
-    constexpr std::string_view rest =
-        "Set NewtonIntegrator(damping=0): its default of 0.2 would slow every grain. Grains are frictionless here.";
+    const std::string rest =
+        std::string("Set NewtonIntegrator(damping=0): its default of 0.2 would slow every grain. ") +
+        (frictional(set) ? "frictAngle is atan(mu)." : "Grains are frictionless here.");
     if (!several())
       return fmt::format(
           "Defines material, ip2 and law2: O.materials.append(material), and "
@@ -83,20 +84,35 @@ struct Yade {
     return fmt::format("MatchMaker(matches=[{}])", fmt::join(all, ", "));
   }
 
+  /// "frictAngle=0.29", "frictAngle=MatchMaker(…)"; nothing without friction.
+  std::string friction_angle() const {
+    return frictional(set)
+               ? fmt::format("frictAngle={}", by_pair([](const PairCase& p) { return std::atan(sliding_of(p).mu); }))
+               : "";
+  }
+
+  /// What each kind contributes to `value` of its pairs in series; 0 where all are 0, nothing where none give them.
+  template <class F>
+  std::optional<std::vector<double>> members_of(const F& value) const {
+    if (std::all_of(set.pairs.begin(), set.pairs.end(), [&](const PairCase& p) { return value(p) == 0; }))
+      return std::vector<double>(set.kinds.size(), 0);
+    const auto parts = in_series(set, value);
+    return parts ? std::optional(members(*parts)) : std::nullopt;
+  }
+
   /// Springs and dashpots of the materials, in series; nothing where none give every pair.
   std::optional<std::string> by_material() const {
-    const bool elastic =
-        std::all_of(set.pairs.begin(), set.pairs.end(), [](const PairCase& p) { return law_of<Linear>(p).c() == 0; });
-    const auto springs = in_series(set, [](const PairCase& p) { return law_of<Linear>(p).k(); });
-    const auto dashpots = elastic ? std::optional(std::vector<double>(set.kinds.size(), 0))
-                                  : in_series(set, [](const PairCase& p) { return law_of<Linear>(p).c(); });
-    if (!springs || !dashpots) return std::nullopt;
-    const auto kn = members(*springs), cn = elastic ? *dashpots : members(*dashpots);
+    const auto kn = members_of([](const PairCase&p) { return law_of<Linear>(p).k(); }),
+               cn = members_of([](const PairCase&p) { return law_of<Linear>(p).c(); }),
+               ks = members_of([this](const PairCase&p) { return frictional(set) ? sliding_of(p).k_t : 0; }),
+               cs = members_of([this](const PairCase&p) { return frictional(set) ? sliding_of(p).c_t : 0; });
+    if (!kn || !cn || !ks || !cs) return std::nullopt;
     return materials("ViscElMat",
                      [&](std::size_t i) {
-                       return fmt::format("kn={}, cn={}, ks=0, cs=0", shortest(kn[i]), shortest(cn[i]));
+                       return fmt::format("kn={}, cn={}, ks={}, cs={}", shortest((*kn)[i]), shortest((*cn)[i]),
+                                          shortest((*ks)[i]), shortest((*cs)[i]));
                      }) +
-           "ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys()\n";
+           fmt::format("ip2 = Ip2_ViscElMat_ViscElMat_ViscElPhys({})\n", friction_angle());
   }
 
   /// tc and en from which Yade makes k = (π² + ln²en) m'/tc² and c = −2 ln(en) m'/tc, m' being the pair's effective
@@ -122,7 +138,9 @@ struct Yade {
   }
 
   Body operator()(const Linear&) const {
-    const auto timed = several() ? by_time() : std::nullopt;
+    if (is_mindlin(set))
+      return no_such_tangential("Yade", "ViscElPhys has a constant k_t; take the linear tangential law");
+    const auto timed = several() && !frictional(set) ? by_time() : std::nullopt;
     const auto input = timed ? timed : by_material();
     if (!input) return needs_materials("Yade");
     Body body{
@@ -133,6 +151,10 @@ struct Yade {
                                      : "Yade joins the two grains' springs and dashpots in series, so the material "
                                        "carries twice the pair's k and c."},
         .input = *input + "law2 = Law2_ScGeom_ViscElPhys_Basic()\n"};
+    if (damped_tangentially(set)) {
+      body.fidelity = Fidelity::close;
+      body.remarks.push_back(judges_spring_alone("Yade"));
+    }
     end_otherwise(body, set, ContactEnd::force, clips());
     return body;
   }
@@ -148,6 +170,10 @@ struct Yade {
 
   Body operator()(const Tsuji&) const {
     if (!knows_radii(set)) return needs_radius();
+    if (frictional(set) && !is_mindlin(set))
+      return no_such_tangential("Yade", "MindlinPhys lets k_t grow with the contact; take mindlin");
+    if (damped_tangentially(set))
+      return no_such_tangential("Yade", "MindlinPhys lets c_t change with the contact; take c_t = 0");
     const auto young = youngs_moduli(set);
     if (!young) return needs_materials("Yade");
     Body body{.fidelity = Fidelity::exact,
@@ -162,14 +188,20 @@ struct Yade {
                                    return fmt::format("young={}, poisson={}", shortest((*young)[i]),
                                                       shortest(set.kinds[i].poisson));
                                  }) +
-                       fmt::format("ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(betan={}, betas=0)\n"
+                       fmt::format("ip2 = Ip2_FrictMat_FrictMat_MindlinPhys(betan={}, betas=0{})\n"
                                    "law2 = Law2_ScGeom_MindlinPhys_Mindlin()\n",
-                                   by_pair(betan_of))};
+                                   by_pair(betan_of), frictional(set) ? ", " + friction_angle() : "")};
+    if (frictional(set)) {
+      body.fidelity = Fidelity::close;
+      body.remarks.emplace_back("k_t = 8 G* sqrt(R) follows from the same moduli.");
+      body.remarks.push_back(other_mindlin("Yade", "MindlinPhys keeps the tangential force while the contact shrinks"));
+    }
     end_otherwise(body, set, ContactEnd::force, clips());
     return body;
   }
 
   Body operator()(const Hysteretic& law) const {
+    if (frictional(set)) return no_such_tangential("Yade", "it is written here for LudingMat without friction");
     if (several()) return one_kind_only();
     if (!knows_radii(set)) return needs_radius();
     if (law.k1() == law.k2()) return absent("NOT WRITTEN: LudingMat needs kp > k1; use the linear law with c = 0.");
@@ -201,6 +233,12 @@ struct Yade {
 
 }  // namespace
 
-Body write_yade(const ContactSet& set) { return std::visit(Yade{set}, set.pairs.front().law); }
+Body write_yade(const ContactSet& set) {
+  if (is_mindlin(set) && std::holds_alternative<Tsuji>(set.pairs.front().law)) {
+    const auto sheared = with_shear_moduli(set);
+    return sheared ? std::visit(Yade{*sheared}, set.pairs.front().law) : needs_shear_moduli("Yade");
+  }
+  return std::visit(Yade{set}, set.pairs.front().law);
+}
 
 }  // namespace ricochet::calibration

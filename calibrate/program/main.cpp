@@ -49,6 +49,10 @@ console::Exit draw_curve(const Options& options) {
 }
 
 console::Exit work(Options& options) {
+  console::require_apart(
+      std::vector<console::NamedFile>{
+          {"--targets", options.targets}, {"--fit", options.fit}, {"--materials", options.materials}},
+      std::vector<console::NamedFile>{{"-o", options.output.file}, {"--report", options.page}});
   if (!options.materials.empty()) return run_materials(options);
   if (options.curve && !(options.fit.empty() && options.targets.empty()))
     throw console::BadInput(fmt::format("{}: must be one number with {}", options.curve->flag,

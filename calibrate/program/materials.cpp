@@ -68,6 +68,7 @@ Material read_material(const Node& node, const std::string& name, const Material
 void read_all(const Node& node, Materials& materials) {
   if (!node.json().is_object() || node.json().empty())
     node.reject("an object of at least one material, {\"name\": {...}}");
+  node.require_names();
   for (const bool walls : {false, true})
     for (const auto& [name, value] : node.json().items()) {
       const Material m = read_material(node.at(name), name, materials);

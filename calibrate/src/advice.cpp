@@ -162,16 +162,16 @@ std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Targ
   const bool located = stepping == Stepping::located;
   if (located && (!fractional || end != ContactEnd::force))
     throw std::invalid_argument("liggghts-ricochet locates contacts of the fractional law that end by force");
-  constexpr int decade[] = {10, 12, 15, 20, 25, 30, 40, 50, 60, 80};
+  constexpr auto decade = std::to_array({10, 12, 15, 20, 25, 30, 40, 50, 60, 80});
   constexpr double enough = *std::min_element(std::begin(step_bounds), std::end(step_bounds));
   std::optional<Located> contact;
   if (located) contact.emplace(*fractional, target);
   std::vector<StepError> all;
   int within = 0;
-  for (double unit = 0.1; unit < 1000; unit *= 10)
+  for (int tenths = 1; tenths <= 10000; tenths *= 10)
     for (const int digit : decade) {
-      const int steps = static_cast<int>(std::lround(unit * digit));
-      if (steps < 5 || steps > 20000 || (unit < 1 && std::abs(unit * digit - steps) > 0.1)) continue;
+      const int steps = tenths * digit / 10;
+      if (steps < 5 || steps > 20000 || tenths * digit % 10 != 0) continue;
       const double error = contact ? contact->error(steps) : std::visit(Stepped{end, target, steps}, law);
       all.push_back({steps, error});
       within = error <= enough ? within + 1 : 0;

@@ -28,6 +28,8 @@ void complain(std::string_view program, std::string_view message) {
   for (const char c : message)
     if (c == '\n')
       line += "; ";
+    else if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')  // a terminal would obey it
+      line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
     else
       line += c;
   line += '\n';

@@ -13,6 +13,15 @@
 
 namespace ricochet::console {
 
+namespace {
+
+/// Whether a terminal or the lines of a file would take part of it as a command.
+bool obeyed(std::string_view text) {
+  return std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
+}
+
+}  // namespace
+
 std::string Node::place() const {
   return fmt::format("{}:{}: {}", file_, line_and_column(*text_, place_of(*text_, path_)), path_.empty() ? "/" : path_);
 }
@@ -37,6 +46,12 @@ void Node::allow(std::span<const std::string_view> keys) const {
   for (const auto& [key, value] : json_->items())
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       complain(fmt::format("unknown key \"{}\"; known are {}", key, accepted));
+}
+
+void Node::require_names() const {
+  for (const auto& [key, value] : json_->items())
+    if (key.empty() || obeyed(key) || std::string_view("=+-@").find(key.front()) != std::string_view::npos)
+      child(key, value).complain("must have a name of printable characters that begins with none of = + - @");
 }
 
 Node Node::at(const std::string& key) const {
@@ -78,7 +93,7 @@ bool Node::yes_or_no() const {
 }
 
 std::string Node::text() const {
-  if (!json_->is_string()) reject("a text");
+  if (!json_->is_string() || obeyed(json_->get_ref<const std::string&>())) reject("a text without control characters");
   return json_->get<std::string>();
 }
 

@@ -178,7 +178,38 @@ void OutputFolder::File::take_back() const noexcept {
   if (::rename(kept.c_str(), target.c_str()) != 0) ::unlink(target.c_str());  // there was nothing
 }
 
-Output::Output(const std::string& path) : file_(path.empty() ? nullptr : std::make_unique<AtomicFile>(path)) {}
+namespace {
+
+/// Whether two paths lead to one regular file, which need not be there yet.
+bool same_file(const std::string& a, const std::string& b) {
+  struct stat at_a = {}, at_b = {};
+  const bool exists = ::stat(a.c_str(), &at_a) == 0;
+  if (exists != (::stat(b.c_str(), &at_b) == 0)) return false;
+  if (exists) return S_ISREG(at_a.st_mode) && at_a.st_dev == at_b.st_dev && at_a.st_ino == at_b.st_ino;
+  std::error_code error;
+  const auto whole = std::filesystem::weakly_canonical(a, error);
+  return !error && whole == std::filesystem::weakly_canonical(b, error) && !error;
+}
+
+bool is_file(const NamedFile& file) { return !file.path.empty() && file.path != "-"; }
+
+}  // namespace
+
+void require_apart(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs) {
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const NamedFile& output = outputs[k];
+    if (!is_file(output)) continue;
+    for (const NamedFile& input : inputs)
+      if (is_file(input) && same_file(input.path, output.path))
+        throw BadInput(output.flag, output.path, fmt::format("another file than {} reads", input.flag));
+    for (const NamedFile& other : outputs.first(k))
+      if (is_file(other) && same_file(other.path, output.path))
+        throw BadInput(output.flag, output.path, fmt::format("another file than {} writes", other.flag));
+  }
+}
+
+Output::Output(const std::string& path)
+    : file_(path.empty() || path == "-" ? nullptr : std::make_unique<AtomicFile>(path)) {}
 
 void Output::write(std::string_view bytes) { file_ ? file_->write(bytes) : write_stdout(bytes); }
 

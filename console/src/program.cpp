@@ -53,6 +53,15 @@ void occupy_standard_descriptors() {
   if (file >= 0) ::close(file);
 }
 
+/// An option that was given without a text is a slip, not an option left out.
+void require_texts(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& text :
+         option->count() > 0 && option->get_items_expected_max() > 0 ? option->results() : std::vector<std::string>{})
+      if (text.empty()) throw BadInput(fmt::format("{} = '': must not be empty", option->get_name()));
+  for (const CLI::App* command : app.get_subcommands()) require_texts(*command);
+}
+
 Exit parse_and_run(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body) {
   try {
     app.parse(argc, argv);
@@ -65,6 +74,7 @@ Exit parse_and_run(CLI::App& app, int argc, const char* const* argv, const std::
   } catch (const CLI::ParseError& error) {
     throw BadInput(told(app, error));
   }
+  require_texts(app);
   const Exit result = body();
   std::cout.flush();
   if (!std::cout || std::fflush(stdout) != 0) throw Failed("standard output: cannot write");

@@ -115,9 +115,11 @@ std::vector<double> steps_of(const std::vector<double>& range) {
   if (!(count >= 0 && count < static_cast<double>(longest_list)))
     throw std::invalid_argument(
         fmt::format("from:to:step with a step that leads from one to the other, {} values at most", longest_list));
+  const auto steps = static_cast<std::size_t>(count * (1 + 1e-12) + 1e-9);
   std::vector<double> values;
-  for (double i = 0; i <= count * (1 + 1e-12) + 1e-9; ++i)
-    values.push_back(*parse_number(significant(from + i * step, 14)));
+  values.reserve(steps + 1);
+  for (std::size_t i = 0; i <= steps; ++i)
+    values.push_back(*parse_number(significant(from + static_cast<double>(i) * step, 14)));
   return values;
 }
 

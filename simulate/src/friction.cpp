@@ -19,10 +19,11 @@ bool has_springs(const Node& node) {
 }
 
 void allow_keys(const Node& node) {
-  std::vector<std::string_view> keys{"mu_static", "mu_dynamic", "decay", "rolling_arm", "model"};
   if (has_springs(node))
-    for (const std::string_view key : {"k_t", "c_t", "beta0", "velocity", "torsion", "mu_rolling"}) keys.push_back(key);
-  node.allow(keys);
+    node.allow({"mu_static", "mu_dynamic", "decay", "rolling_arm", "model", "torsion", "mu_rolling", "k_t", "c_t",
+                "beta0", "velocity"});
+  else
+    node.allow({"mu_static", "mu_dynamic", "decay", "rolling_arm", "model", "torsion", "mu_rolling"});
 }
 
 // k_t with c_t, or β₀.
@@ -76,19 +77,25 @@ Friction read_friction(const Node& node) {
                   node.has("rolling_arm") ? node.at("rolling_arm").not_negative() : 0);
 }
 
+double read_mu_rolling(const Node& node) {
+  if (!node.has("mu_rolling")) return 0;
+  if (node.has("rolling_arm") && node.at("rolling_arm").not_negative() > 0)
+    node.at("mu_rolling").reject("left out with rolling_arm");
+  return node.at("mu_rolling").not_negative();
+}
+
 std::optional<TangentialAsked> read_tangential(const Node& node) {
-  if (!has_springs(node)) return std::nullopt;
+  if (!has_springs(node)) {
+    if (node.has("torsion") && !node.at("torsion").yes_or_no()) node.at("torsion").reject("true with the model rigid");
+    return std::nullopt;
+  }
   TangentialAsked asked{.place = node};
   asked.mindlin = node.at("model").text() == "mindlin";
   read_stiffness(node, asked);
   if (node.has("torsion")) asked.torsion = node.at("torsion").yes_or_no();
   if (node.has("velocity")) asked.velocity = node.at("velocity").positive();
-  const bool arm = node.has("rolling_arm") && node.at("rolling_arm").not_negative() > 0;
-  if (node.has("mu_rolling")) {
-    if (arm) node.at("mu_rolling").reject("left out with rolling_arm");
-    asked.mu_rolling = node.at("mu_rolling").not_negative();
-  }
-  asked.rolls = arm || asked.mu_rolling > 0;
+  asked.mu_rolling = read_mu_rolling(node);
+  asked.rolls = asked.mu_rolling > 0 || (node.has("rolling_arm") && node.at("rolling_arm").number() > 0);
   return asked;
 }
 

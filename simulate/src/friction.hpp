@@ -34,6 +34,9 @@ using TangentialsAsked = std::map<std::pair<std::size_t, std::size_t>, Tangentia
 /// console::BadInput, also for keys that the model does not have.
 Friction read_friction(const console::Node& node);
 
+/// μ_r of any model, 0 where it is not given. Throws console::BadInput, also beside a rolling_arm.
+double read_mu_rolling(const console::Node& node);
+
 /// Reads {"model": "linear" | "mindlin", "k_t" [, "c_t"] | "beta0" [, "velocity", "torsion", "mu_rolling"]}; nothing of
 /// the model "rigid", which is the default. Throws console::BadInput.
 std::optional<TangentialAsked> read_tangential(const console::Node& node);

@@ -47,6 +47,7 @@ bool needs_velocity(LawKind kind, const Scale& scale) {
 struct Sort {
   std::size_t material = 0;
   double radius = 0, density = 0;  ///< of a wall 0
+  // NOLINTNEXTLINE(modernize-use-nullptr): seen in the code that clang 14 makes of it
   auto operator<=>(const Sort&) const = default;
   double mass() const { return Sphere{.radius = radius, .density = density}.mass(); }
   bool wall() const { return radius == 0; }

@@ -37,6 +37,7 @@ Materials read_materials(const Node& node) {
   Materials materials;
   if (!node.json().is_object() || node.json().empty())
     node.reject("an object of at least one material, {\"name\": {...}}");
+  node.require_names();
   for (const auto& [name, value] : node.json().items()) {
     const Node material = node.at(name);
     material.allow({"density"});
@@ -61,6 +62,7 @@ void read_tangent_plane(const Node& entry, std::pair<std::size_t, std::size_t> p
                         const std::optional<LawByTarget>& target, ByPair& by_pair, Interaction& interaction) {
   const Node friction = entry.at("friction");
   interaction.friction = read_friction(friction);
+  interaction.rolling.mu = read_mu_rolling(friction);
   std::optional<TangentialAsked> asked = read_tangential(friction);
   if (!asked) return;
   asked->normal = normal;

@@ -315,7 +315,7 @@ ends 2 '^verify: ' 'verify nothing'
 ends 2 '^verify: --format = xml: must be' 'verify tcol --format xml'
 ends 2 '^simulate: none.json: cannot be read' 'simulate none.json -o out/x'
 ends 2 '^simulate: ' 'simulate source/data/scenes/bounce.json'
-ends 2 '^simulate: out/x/state.json: cannot read' 'simulate source/data/scenes/bounce.json -o out/x --resume'
+ends 2 '^simulate: out/x/state.json: cannot be read' 'simulate source/data/scenes/bounce.json -o out/x --resume'
 ends 3 '^calibrate: --law fractional --end overlap: en = 0.001: must be in' \
   'calibrate --tcol 1e-4 --en 0.001 --law fractional --end overlap'
 ends 4 'gnuplot: not found' "PATH=/none $bin/verify figures --figures out"

@@ -24,7 +24,8 @@ while read -r expected command; do
 done <<EOL
 0 calibrate --tcol 1e-4 --en 0.5 --format json
 0 calibrate --tcol 1e-4 --en 0.5 --method direct --export liggghts
-0 calibrate --tcol 1e-4 --en 0.5 --law fractional --export yade -o deck.py
+0 calibrate --tcol 1e-4 --en 0.5 --law linear --export yade -o deck.py
+3 calibrate --tcol 1e-4 --en 0.5 --law fractional --export yade -o deck.py
 2 calibrate --tcol 1e-4 --en 1.5
 3 calibrate --tcol 1e-4 --en 0.001 --law fractional --end overlap
 0 calibrate --targets targets.csv --threads 2 -o rows.csv

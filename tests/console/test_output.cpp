@@ -198,6 +198,31 @@ TEST_CASE("a link that leads nowhere, or round in a circle, is refused") {
   }
 }
 
+TEST_CASE("an output is neither an input nor another output, by whatever path, link or name still free") {
+  const TemporaryFolder folder;
+  const std::string there = folder / "there.csv", free = folder / "free.csv",
+                    around = folder / "../" + std::filesystem::path(folder.path()).filename().string();
+  std::ofstream(there) << "x";
+  std::filesystem::create_symlink(there, folder / "link.csv");
+  using Files = std::vector<NamedFile>;
+  const auto complaint = [](const Files& inputs, const Files& outputs) -> std::string {
+    try {
+      require_apart(inputs, outputs);
+      return "none";
+    } catch (const BadInput& error) {
+      return error.what();
+    }
+  };
+  for (const std::string& path : {there, around + "/there.csv", folder / "link.csv"})
+    CHECK(complaint({{"--fit", there}}, {{"-o", path}}) == "-o = " + path + ": must be another file than --fit reads");
+  for (const std::string& path : {free, around + "/free.csv"})
+    CHECK(complaint({}, {{"-o", free}, {"--report", path}}) ==
+          "--report = " + path + ": must be another file than -o writes");
+  CHECK(complaint({{"--fit", there}}, {{"-o", free}, {"--report", folder / "page.html"}}) == "none");
+  CHECK(complaint({{"--fit", "-"}, {"--targets", ""}}, {{"-o", "-"}, {"--report", ""}}) == "none");
+  CHECK(complaint({{"--fit", "/dev/null"}}, {{"-o", "/dev/null"}}) == "none");
+}
+
 TEST_CASE("what a killed process left is removed by the next one in that folder, and no more") {
   const TemporaryFolder folder;
   const int killed = in_child([&] {

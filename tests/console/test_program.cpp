@@ -77,6 +77,8 @@ TEST_CASE("a program that succeeds is silent on stderr") {
   CHECK(ran.err.empty());
 }
 
+TEST_CASE("-o - is stdout") { CHECK(run({"--en", "0.25", "-o", "-"}).out == "en 0.250000 0\n"); }
+
 TEST_CASE("help and version are done") {
   CHECK(run({"--version"}).out == std::string("try ") + ricochet::version + "\n");
   const Ran help = run({"--help"});
@@ -96,6 +98,8 @@ TEST_CASE("every wrong command line is one line and exit code 2") {
       {{"extra"}, "try: extra: not known: must be an option that `try --help` lists\n"},
       {{"--mass-eff", "-1"}, "try: --mass-eff = -1: must be finite and > 0\n"},
       {{"--format", "xml"}, "try: --format = xml: must be table, json, csv or markdown\n"},
+      {{"-o", ""}, "try: --output = '': must not be empty\n"},
+      {{"--en", "1\x1b[31m"}, "try: --en = 1\\x1b[31m: must be a finite number\n"},
       {{"-o", "/none/x"}, "try: /none/x: cannot write: No such file or directory\n"}};
   for (const auto& [arguments, message] : cases) {
     const Ran ran = run(arguments);

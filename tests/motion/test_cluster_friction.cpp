@@ -131,6 +131,20 @@ TEST_CASE("a sphere on a slope stays put to rounding where friction and rolling 
   CHECK(cluster.contacts()[0].record.phase_begin[std::size_t(Phase::sliding)] == Encounter::never);
 }
 
+TEST_CASE("a coefficient of rolling resistance holds a sphere up to mu_r R N, whatever the contact's width") {
+  // tan(slope) < μ_r R*/|s| rests; above it the rest of the moment rolls it: (5/7) g (sin − μ_r cos) for an arm of r.
+  const auto speed = [](double slope, double mu_rolling) {
+    Incline plane(slope, Friction(0.5, 0.5, 0), 1e6);
+    plane.setup.interactions.at({0, 0}).rolling.mu = mu_rolling;
+    Vec3 v;
+    const double t = coast(plane.setup, 1e-4, 0.05, [&](const Cluster& c) { v = c.velocity(0); });
+    return v.x / t;
+  };
+  const double slope = std::atan(0.1);
+  CHECK(std::abs(speed(slope, 0.101)) < 1e-12);
+  CHECK(speed(slope, 0.04) == Approx(5.0 / 7 * g * (std::sin(slope) - 0.04 * std::cos(slope))).epsilon(1e-5));
+}
+
 TEST_CASE("down a slope a sphere rolls with (5/7) g sin, slides with g (sin - mu cos)") {
   const double mu = 0.2;
   const Friction plain(mu, mu, 0, 0);

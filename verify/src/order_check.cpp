@@ -106,6 +106,7 @@ class OrderCheck : public Study {
            "both "
            "sides";
   }
+  std::vector<console::NamedFile> inputs() const override { return {{"FILE", file_}}; }
   void add_options(CLI::App& app) override {
     app.add_option("FILE", file_, "CSV: columns h or n, error or value; optional: scheme, case. -: standard input")
         ->required();

@@ -48,6 +48,7 @@ void open_folder(Folder& folder, const std::string& path) {
 }
 
 Exit run_one(Study& study, const Options& options) {
+  console::require_apart(study.inputs(), std::vector<console::NamedFile>{{"-o", options.output.file}});
   Folder folder;
   open_folder(folder, options.folder);
   console::Output output(options.output.file);

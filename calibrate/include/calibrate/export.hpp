@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ricochet/contact/laws.hpp>
+#include <ricochet/contact/tangential.hpp>
 #include <ricochet/collision/collision.hpp>
 
 #include <cstddef>
@@ -22,6 +23,12 @@ std::optional<Engine> engine_named(std::string_view word) noexcept;
 /// Name and version whose conventions the snippets follow.
 std::string_view version(Engine engine) noexcept;
 
+/// The tangential part of a contact as engines have it: a spring and dashpot under Coulomb's limit.
+struct TangentialPart {
+  TangentialLaw law = RigidTangential{};  ///< no engine runs the rigid one
+  double mu = 0;                          ///< whether it sticks or slides
+};
+
 /// One contact between grains, with what an engine wants to know beside the law's parameters.
 struct ExportCase {
   AnyLaw law;
@@ -30,6 +37,7 @@ struct ExportCase {
   Impact impact;                          ///< at which it was calibrated
   std::optional<double> radius_eff = {};  ///< r₁r₂/(r₁+r₂) [m], wall: r₁; the Hertzian laws of most engines need it
   std::optional<double> density = {};  ///< of the grains [kg/m³], where the engine's material carries it
+  std::optional<TangentialPart> tangential = {};
 };
 
 /// Bodies of one kind: grains of one size and material, or walls.
@@ -44,12 +52,14 @@ struct BodyKind {
 struct PairCase {
   std::size_t a = 0, b = 0;  ///< places in ContactSet::kinds; a wall is never a
   AnyLaw law;
-  double tcol = 0, en = 0;                ///< the target [s], [–]
-  Impact impact;                          ///< at which it was calibrated; against a wall of the grain's mass
-  std::optional<double> radius_eff = {};  ///< r₁r₂/(r₁+r₂) [m], wall: r₁
+  double tcol = 0, en = 0;                        ///< the target [s], [–]
+  Impact impact;                                  ///< at which it was calibrated; against a wall of the grain's mass
+  std::optional<double> radius_eff = {};          ///< r₁r₂/(r₁+r₂) [m], wall: r₁
+  std::optional<TangentialPart> tangential = {};  ///< without: frictionless
 };
 
-/// Every contact that an engine has to know of, all under one kind of law that ends one way.
+/// Every contact that an engine has to know of, all under one kind of law that ends one way, and one kind of tangential
+/// law or none.
 struct ContactSet {
   ContactEnd end = ContactEnd::force;
   std::vector<BodyKind> kinds = {};  ///< grains first: the engines number their types so
@@ -62,7 +72,7 @@ struct ContactSet {
 
 enum class Fidelity {
   exact,   ///< the engine runs this very law, at the pairs that it was calibrated for
-  close,   ///< it runs another law; Snippet::gives says what comes out at this impact
+  close,   ///< it runs another law; Snippet::gives says what comes out along the normal at this impact
   absent,  ///< it can't: the snippet holds comments alone
 };
 std::string_view text(Fidelity fidelity) noexcept;

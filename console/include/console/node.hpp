@@ -26,6 +26,9 @@ class Node {
   /// An object with no key but these.
   void allow(std::span<const std::string_view> keys) const;
   void allow(std::initializer_list<std::string_view> keys) const { allow(std::span(keys.begin(), keys.size())); }
+  /// Of an object whose keys are names that tables show: none is empty, holds a control character or begins like a
+  /// spreadsheet's formula (= + - @).
+  void require_names() const;
   bool has(const std::string& key) const { return json_->is_object() && json_->contains(key); }
   Node at(const std::string& key) const;  ///< missing: "missing; must be given"
   Node at(std::size_t index) const;
@@ -36,7 +39,7 @@ class Node {
   double not_negative() const;
   std::uint64_t integer(std::uint64_t least, std::uint64_t most) const;
   bool yes_or_no() const;
-  std::string text() const;
+  std::string text() const;  ///< without control characters, which a terminal or a line of a file would obey
   std::string one_of(std::span<const std::string_view> accepted) const;
   std::string one_of(std::initializer_list<std::string_view> accepted) const {
     return one_of(std::span(accepted.begin(), accepted.size()));

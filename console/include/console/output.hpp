@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,7 +67,16 @@ class OutputFolder {
   std::vector<File> files_;
 };
 
-/// Where a program's answer goes: the file, whole or not at all, or stdout (empty path) as it comes.
+/// A file that a command line names, and the flag that does.
+struct NamedFile {
+  std::string flag, path;
+};
+
+/// Throws BadInput where an output is one of the inputs or another output, by whatever path or link; no path, "-" and
+/// what is no regular file are nobody's.
+void require_apart(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs);
+
+/// Where a program's answer goes: the file, whole or not at all, or stdout (no path, or "-") as it comes.
 class Output {
  public:
   explicit Output(const std::string& path);

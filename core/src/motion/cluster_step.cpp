@@ -95,6 +95,19 @@ void Cluster::prepare_friction(const ContactState& c, Vec3 v, Row& row) const no
   row.friction.impulse.rolling = tangential(c.friction.rolling, g.normal);
 }
 
+double Cluster::radius_eff(const ContactState& c) const noexcept {
+  const double ri = radii_[c.record.i];
+  return c.record.j < size() ? ri * radii_[c.record.j] / (ri + radii_[c.record.j]) : ri;
+}
+
+// A rolling limit μ_r R* R is that of an arm of ρ + μ_r R*/a contact radii.
+Friction Cluster::rigid_friction(const ContactState& c, const ContactGeometry& g) const {
+  const TangentialContact& t = models_[c.model].tangential;
+  if (!(t.rolling.mu > 0 && g.radius > 0)) return t.friction;
+  const double arm = t.friction.rolling_arm() + t.rolling.mu * radius_eff(c) / g.radius;
+  return Friction(t.friction.mu_static(), t.friction.mu_dynamic(), t.friction.decay(), arm);
+}
+
 // From the memory to the middle all fly straight: means are those halfway.
 motion::CompliantRow Cluster::compliant_row(const ContactState& c, Vec3 v, const Row& row) const noexcept {
   const ContactGeometry& g = row.geometry;
@@ -102,7 +115,7 @@ motion::CompliantRow Cluster::compliant_row(const ContactState& c, Vec3 v, const
   motion::CompliantApproach approach{.normal_then = g.normal,
                                      .normal = g.normal,
                                      .motion = row.before,
-                                     .pressing = {0, g.overlap, g.radius, radii_[i]},
+                                     .pressing = {0, g.overlap, g.radius, radius_eff(c)},
                                      .step = options_.step};
   approach.motion.slip -= c.lag / options_.step * row.turning;
   if (j < size()) {
@@ -113,7 +126,6 @@ motion::CompliantRow Cluster::compliant_row(const ContactState& c, Vec3 v, const
     const double length = norm(between);
     const Vec3 normal = length > 0 ? between / length : g.normal;
     approach.motion.spin = dot(spin, normal), approach.motion.roll = cross(spin, normal);
-    approach.pressing.radius_eff = radii_[i] * radii_[j] / (radii_[i] + radii_[j]);
   }
   return motion::compliant_row(models_[c.model].tangential, c, approach);
 }
@@ -194,7 +206,7 @@ double Cluster::relax(std::size_t contact) noexcept {
   free.spin -= m.roll * last.torsion;
   const FrictionProblem problem{std::max(0.0, normal), g.radius, m, row.before, free, row.turning};
   row.friction = model.compliant ? motion::compliant_impulse(model.tangential, springs_[contact], problem, last)
-                                 : friction_impulse(model.tangential.friction, problem, last);
+                                 : friction_impulse(rigid_friction(c, g), problem, last);
   const FrictionImpulse delta = row.friction.impulse - last;
   apply(c, g, change, delta);
   const double arm = g.arm_i + g.arm_j;

@@ -3,6 +3,7 @@
 #include <verify/gate.hpp>
 
 #include <console/json.hpp>
+#include <console/output.hpp>
 #include <console/plot.hpp>
 #include <console/table.hpp>
 
@@ -50,6 +51,8 @@ class Study {
   virtual std::string claim() const = 0;
   /// Adds the study's own options to its subcommand; they keep their defaults in `verify all`.
   virtual void add_options(CLI::App&) {}
+  /// What it reads besides its own data, as the options name it.
+  virtual std::vector<console::NamedFile> inputs() const { return {}; }
   virtual StudyResult run(const RunOptions& options) = 0;
 };
 

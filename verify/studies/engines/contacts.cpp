@@ -85,66 +85,39 @@ calibration::Materials beads_and_plate(LawKind law) {
           .pairs = {{0, 0, 0.9}, {0, 1, 0.8}, {1, 1, 0.7}, {0, 2, 0.6}, {1, 2, 0.5}}};
 }
 
-/// A grain as the snippet names it.
-Grain grain_of(const calibration::Materials& materials, std::size_t kind) {
-  const calibration::Material& m = materials.all[kind];
-  return {m.least, m.density, static_cast<int>(kind) + 1, "material_" + m.name};
-}
-
-/// One file of every pair and the wall, `calibrate --materials`; each contact is run.
-void add_materials(std::vector<Contact>& contacts, Engine engine, LawKind law) {
-  const calibration::Materials materials = beads_and_plate(law);
-  std::vector<calibration::PairResult> found;
-  for (const auto& outcome : calibration::calibrate_pairs(materials))
-    found.push_back(std::get<calibration::PairResult>(outcome));
-  const auto set = calibration::contact_set(materials, found, calibration::Kept::numbers);
-  const auto snippet = calibration::export_contacts(engine, set);
-  if (snippet.fidelity == calibration::Fidelity::absent) return;
-  for (std::size_t i = 0; i < set.pairs.size(); ++i) {
-    const calibration::PairCase& pair = set.pairs[i];
-    Encounter who = two_spheres();
-    who.a = grain_of(materials, pair.a);
-    who.b.reset();
-    who.tcol = pair.tcol;
-    who.grain_types = 2;
-    who.walls = {""};
-    if (pair.b != 2) who.b = grain_of(materials, pair.b);
-    contacts.push_back(contact_of(snippet, pair, snippet.gives[i], who,
-                                  fmt::format(", {} and {}", set.kinds[pair.a].name, set.kinds[pair.b].name)));
-  }
-}
-
-/// Beads of a range of radii and the plate in one file: what the smallest, unlike and greatest do is what the file's
-/// numbers make of the law at those sizes.
-void add_sizes(std::vector<Contact>& contacts, Engine engine, LawKind law) {
+/// Beads of a range of radii and the plate.
+calibration::Materials sizes_and_plate(LawKind law) {
   calibration::Materials materials = beads_and_plate(law);
   materials.all.erase(materials.all.begin() + 1);
   materials.all[0].greatest = 3e-3;
   materials.pairs = {{0, 0, 0.7}, {0, 1, 0.5}};
-  const auto kept = calibration::kept_by(text(engine), law);
-  std::vector<calibration::PairResult> found;
-  for (const auto& outcome : calibration::calibrate_pairs(materials))
-    found.push_back(std::get<calibration::PairResult>(outcome));
-  const auto snippet = calibration::export_contacts(engine, calibration::contact_set(materials, found, kept));
-  if (snippet.fidelity == calibration::Fidelity::absent) return;
-  for (const auto& pair : found)
-    for (const auto& s : calibration::over_sizes(materials, pair, kept)) {
-      Encounter who = two_spheres();
-      who.a.radius = s.radius_a;
-      who.a.density = 2500;
-      who.b.reset();
-      who.tcol = s.collision.tcol;
-      who.walls = {""};
-      if (s.radius_b > 0) {
-        who.b = who.a;
-        who.b->radius = s.radius_b;
-      }
-      const calibration::PairCase sized{0,        pair.asked.b, s.law, s.collision.tcol, s.collision.en,
-                                        s.impact, s.radius_eff};
-      contacts.push_back(contact_of(snippet, sized, s.collision, who,
-                                    fmt::format(", {} mm and {}", console::shortest(1e3 * s.radius_a),
-                                                who.b ? console::shortest(1e3 * s.radius_b) + " mm" : "wall")));
-    }
+  return materials;
+}
+
+/// A grain of `radius` as the snippet names it.
+Grain grain_of(const calibration::Materials& materials, std::size_t kind, double radius) {
+  const auto& all = materials.all;
+  const auto grains = std::count_if(all.begin(), all.end(), [](const auto& m) { return !m.wall; });
+  return {radius, all[kind].density, static_cast<int>(kind) + 1,
+          grains == 1 ? "material" : "material_" + all[kind].name};
+}
+
+/// The bodies of a pair; `radius_b` is of no concern for a wall.
+Encounter encounter_of(const calibration::Materials& materials, const calibration::Pair& pair, double radius_a,
+                       double radius_b, double tcol) {
+  Encounter who{.a = grain_of(materials, pair.a, radius_a), .velocity = materials.velocity, .tcol = tcol};
+  who.grain_types = 0;
+  for (const calibration::Material& m : materials.all)
+    if (m.wall)
+      who.walls.push_back("_" + m.name);
+    else
+      ++who.grain_types;
+  if (who.walls.size() == 1) who.walls = {""};
+  if (materials.all[pair.b].wall)
+    who.met = pair.b - static_cast<std::size_t>(who.grain_types);
+  else
+    who.b = grain_of(materials, pair.b, radius_b);
+  return who;
 }
 
 /// Every law that the engine can be given, as `calibrate --export` writes it; at one restitution with a wall, too.
@@ -156,8 +129,11 @@ void add_exports(std::vector<Contact>& contacts, Engine engine) {
         add_pair(contacts, engine, law, end, en);
         if (en == 0.5) add_wall(contacts, engine, law, end, en);
       }
-  for (const LawKind law : {kind_of<Linear>, kind_of<Tsuji>}) add_materials(contacts, engine, law);
-  for (const LawKind law : {kind_of<Linear>, kind_of<Tsuji>, kind_of<Fractional>}) add_sizes(contacts, engine, law);
+  const auto add = [&](const calibration::Materials& materials) {
+    for (Contact& contact : contacts_of(engine, materials)) contacts.push_back(std::move(contact));
+  };
+  for (const LawKind law : {kind_of<Linear>, kind_of<Tsuji>}) add(beads_and_plate(law));
+  for (const LawKind law : {kind_of<Linear>, kind_of<Tsuji>, kind_of<Fractional>}) add(sizes_and_plate(law));
 }
 
 const PeerDamping& peer(std::string_view id) {
@@ -229,6 +205,39 @@ Encounter sphere_and_wall() {
   encounter.b.reset();
   encounter.walls = {""};
   return encounter;
+}
+
+std::vector<Contact> contacts_of(Engine engine, const calibration::Materials& materials) {
+  const auto kept = calibration::kept_by(text(engine), materials.law);
+  std::vector<calibration::PairResult> found;
+  for (const auto& outcome : calibration::calibrate_pairs(materials))
+    found.push_back(std::get<calibration::PairResult>(outcome));
+  const auto set = calibration::contact_set(materials, found, kept);
+  const auto snippet = calibration::export_contacts(engine, set);
+  std::vector<Contact> contacts;
+  if (snippet.fidelity == calibration::Fidelity::absent) return contacts;
+  const auto middle = [&](std::size_t kind) {
+    return 0.5 * (materials.all[kind].least + materials.all[kind].greatest);
+  };
+  for (std::size_t i = 0; i < set.pairs.size(); ++i) {
+    const calibration::PairCase& pair = set.pairs[i];
+    const Encounter who = encounter_of(materials, found[i].asked, middle(pair.a), middle(pair.b), pair.tcol);
+    contacts.push_back(contact_of(snippet, pair, snippet.gives[i], who,
+                                  fmt::format(", {} and {}", set.kinds[pair.a].name, set.kinds[pair.b].name)));
+    for (const auto& s : calibration::over_sizes(materials, found[i], kept)) {
+      const auto end =
+          snippet.gives[i].status == CollisionStatus::ended_by_force ? ContactEnd::force : ContactEnd::overlap;
+      const Collision gives = collide(s.law, s.impact, {.end = end});  // as the engine ends it
+      const calibration::PairCase sized{pair.a,         pair.b,   s.law,       s.collision.tcol,
+                                        s.collision.en, s.impact, s.radius_eff};
+      const auto millimetres = [](double radius) { return console::significant(1e3 * radius, 3) + " mm"; };
+      contacts.push_back(contact_of(
+          snippet, sized, gives, encounter_of(materials, found[i].asked, s.radius_a, s.radius_b, s.collision.tcol),
+          fmt::format(", {} {} and {}{}", set.kinds[pair.a].name, millimetres(s.radius_a), set.kinds[pair.b].name,
+                      s.radius_b > 0 ? " " + millimetres(s.radius_b) : "")));
+    }
+  }
+  return contacts;
 }
 
 std::vector<Contact> contacts_of(Engine engine) {

@@ -3,6 +3,8 @@
 #include "../paper.hpp"
 #include "engine_run.hpp"
 
+#include <calibrate/materials.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,5 +35,9 @@ struct Contact {
 /// What `calibrate --export` writes of every law that the engine can be given, and the engine's own way to ask for a
 /// restitution, against what `verify peers` says it gives.
 std::vector<Contact> contacts_of(calibration::Engine engine);
+
+/// Every pair of one file of `calibrate --materials --export`, at the middle of the radii and at the ends of their
+/// ranges; none where the engine can't be given the law. All pairs must be reached.
+std::vector<Contact> contacts_of(calibration::Engine engine, const calibration::Materials& materials);
 
 }  // namespace ricochet::verify::engines

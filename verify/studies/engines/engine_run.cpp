@@ -42,22 +42,31 @@ std::optional<std::string> beside_us(const std::string& program) {
   return std::nullopt;
 }
 
-/// What every deck is made of: the places of a and b along x, their velocities, and the number of steps. A wall stands
-/// at 0 where a meets it, and out of reach otherwise.
+/// What every deck is made of: the places of a and b, their velocities along the normal x and across it, and the number
+/// of steps. A wall stands at 0 where a meets it, and out of reach otherwise. Two grains are beside each other in the
+/// middle of the contact.
 struct Start {
   double x[2], v[2];
   long steps;
+  double y[2]{}, w[2]{};
 };
 
 Start start_of(const Encounter& pair, double step) {
   const double gap = steps_before_touch * step * pair.velocity;
   const long steps = std::lround(pair.duration() / step);
-  if (!pair.b) return {{pair.reach() + gap, 0}, {-pair.velocity, 0}, steps};
-  return {{-pair.a.radius - 0.5 * gap, pair.b->radius + 0.5 * gap}, {0.5 * pair.velocity, -0.5 * pair.velocity}, steps};
+  if (!pair.b) return {{pair.reach() + gap, 0}, {-pair.velocity, 0}, steps, {}, {pair.across, 0}};
+  const double back = 0.5 * pair.across * (steps_before_touch * step + 0.5 * pair.tcol);
+  return {{-pair.a.radius - 0.5 * gap, pair.b->radius + 0.5 * gap},
+          {0.5 * pair.velocity, -0.5 * pair.velocity},
+          steps,
+          {-back, back},
+          {0.5 * pair.across, -0.5 * pair.across}};
 }
 
 double half_box(const Encounter& pair) { return 10 * std::max(pair.a.radius, pair.b ? pair.b->radius : 0.0); }
-double wall_at(const Encounter& pair, std::size_t wall) { return pair.b || wall > 0 ? -0.8 * half_box(pair) : 0; }
+double wall_at(const Encounter& pair, std::size_t wall) {
+  return pair.b || wall != pair.met ? -0.8 * half_box(pair) : 0;
+}
 
 std::string box(const Encounter& pair, int types, const char* units) {
   std::string sides;
@@ -68,20 +77,20 @@ std::string box(const Encounter& pair, int types, const char* units) {
 std::string grains(const Encounter& pair, const Start& start, const char* units) {
   std::string text;
   int id = 0;
-  const auto add = [&](const Grain& grain, double x, double y, double v) {
+  const auto add = [&](const Grain& grain, double x, double y, double v, double w) {
     text += fmt::format(
         "create_atoms {type} single {x} {y} 0{units}\nset atom {id} diameter {diameter} density {density}\n"
-        "set atom {id} vx {v}\n",
+        "set atom {id} vx {v} vy {w}\n",
         fmt::arg("type", grain.type), fmt::arg("x", shortest(x)), fmt::arg("y", shortest(y)), fmt::arg("units", units),
         fmt::arg("id", ++id), fmt::arg("diameter", shortest(2 * grain.radius)),
-        fmt::arg("density", shortest(grain.density)), fmt::arg("v", shortest(v)));
+        fmt::arg("density", shortest(grain.density)), fmt::arg("v", shortest(v)), fmt::arg("w", shortest(w)));
   };
-  add(pair.a, start.x[0], 0, start.v[0]);
-  if (pair.b) add(*pair.b, start.x[1], 0, start.v[1]);
+  add(pair.a, start.x[0], start.y[0], start.v[0], start.w[0]);
+  if (pair.b) add(*pair.b, start.x[1], start.y[1], start.v[1], start.w[1]);
   // LIGGGHTS wants atoms of the first type: one that stands aside.
   if (Grain aside = pair.a; aside.type > 1) {
     aside.type = 1;
-    add(aside, 0.5 * half_box(pair), 0.8 * half_box(pair), 0);
+    add(aside, 0.5 * half_box(pair), 0.8 * half_box(pair), 0, 0);
   }
   return text;
 }
@@ -100,8 +109,8 @@ std::string walls(const Encounter& pair, const F& place) {
 /// format.
 std::string stepping(double step, const std::string& out, const char* line, const Start& start) {
   return fmt::format(
-      "timestep {}\nfix integrate all nve/sphere\nthermo 100000000\ndump out all custom 1 {} id x vx fx\n"
-      "dump_modify out sort id format {}\"%d %.17g %.17g %.17g\"\nrun {}\n",
+      "timestep {}\nfix integrate all nve/sphere\nthermo 100000000\ndump out all custom 1 {} id x vx fx vy omegaz\n"
+      "dump_modify out sort id format {}\"%d %.17g %.17g %.17g %.17g %.17g\"\nrun {}\n",
       shortest(step), out, line, start.steps);
 }
 
@@ -137,21 +146,22 @@ Trajectory read_dump(const std::string& text, const Encounter& pair, double step
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("ITEM: TIMESTEP")) lines >> number;
     if (!line.starts_with("ITEM: ATOMS")) continue;
-    double id = 0, x[2]{}, v[2]{}, f[2]{};
-    for (int i = 0; i < (pair.b ? 2 : 1); ++i) lines >> id >> x[i] >> v[i] >> f[i];
+    double id = 0, x[2]{}, v[2]{}, f[2]{}, w[2]{}, spin[2]{};
+    for (int i = 0; i < (pair.b ? 2 : 1); ++i) lines >> id >> x[i] >> v[i] >> f[i] >> w[i] >> spin[i];
     const double time = static_cast<double>(number) * step;
     if (pair.b)
-      trajectory.push_back({time, pair.reach() - (x[1] - x[0]), v[0] - v[1], f[1]});
+      trajectory.push_back({time, pair.reach() - (x[1] - x[0]), v[0] - v[1], f[1], w[0] - w[1], spin[0]});
     else
-      trajectory.push_back({time, pair.reach() - x[0], -v[0], f[0]});
+      trajectory.push_back({time, pair.reach() - x[0], -v[0], f[0], w[0], spin[0]});
   }
   return trajectory;
 }
 
-/// A grain in Yade's words: (x, v, radius, density, its material's name).
-std::string yade_grain(const Grain& grain, double x, double v) {
-  return fmt::format("({}, {}, {}, {}, '{}')", shortest(x), shortest(v), shortest(grain.radius),
-                     shortest(grain.density), grain.material);
+/// Grain i in Yade's words: (x, v, radius, density, its material's name, y, w).
+std::string yade_grain(const Grain& grain, const Start& start, int i) {
+  return fmt::format("({}, {}, {}, {}, '{}', {}, {})", shortest(start.x[i]), shortest(start.v[i]),
+                     shortest(grain.radius), shortest(grain.density), grain.material, shortest(start.y[i]),
+                     shortest(start.w[i]));
 }
 
 /// Run i writes the file <i>.
@@ -165,9 +175,9 @@ std::string yade_script(const Encounter& pair, const std::vector<double>& steps)
       "  bodies = []\n"
       "  for g in grains:\n"
       "    material_of(g).density = g[3]\n"
-      "    O.bodies.append(utils.sphere((g[0], 0, 0), g[2], material=material_of(g)))\n"
+      "    O.bodies.append(utils.sphere((g[0], g[5], 0), g[2], material=material_of(g)))\n"
       "    bodies.append(O.bodies[-1])\n"
-      "    bodies[-1].state.vel = (g[1], 0, 0)\n"
+      "    bodies[-1].state.vel = (g[1], g[6], 0)\n"
       "  for x, name in walls: O.bodies.append(utils.wall((x, 0, 0), axis=0, material=globals()[name]))\n"
       "  O.engines = [ForceResetter(),\n"
       "    InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()], verletDist=grains[0][2] / 2),\n"
@@ -178,17 +188,19 @@ std::string yade_script(const Encounter& pair, const std::vector<double>& steps)
       "  with open(str(i), 'w') as out:\n"
       "    for n in range(count):\n"
       "      x, v = last.state.pos[0], last.state.vel[0]\n"
-      "      if len(bodies) == 2: x, v = x - bodies[0].state.pos[0], v - bodies[0].state.vel[0]\n"
+      "      w, spin = bodies[0].state.vel[1], bodies[0].state.angVel[2]\n"
+      "      if len(bodies) == 2:\n"
+      "        x, v, w = x - bodies[0].state.pos[0], v - bodies[0].state.vel[0], w - last.state.vel[1]\n"
       "      O.step()\n"
-      "      out.write(f'{n * dt!r} {reach - x!r} {-v!r} {O.forces.f(last.id)[0]!r}\\n')\n"
+      "      out.write(f'{n * dt!r} {reach - x!r} {-v!r} {O.forces.f(last.id)[0]!r} {w!r} {spin!r}\\n')\n"
       "def material_of(grain): return globals()[grain[4]]\n";
   std::string walls;
   for (std::size_t i = 0; i < pair.walls.size(); ++i)
     walls += fmt::format("({}, 'wall_material{}'), ", shortest(wall_at(pair, i)), pair.walls[i]);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Start start = start_of(pair, steps[i]);
-    std::string grains = yade_grain(pair.a, start.x[0], start.v[0]);
-    if (pair.b) grains += ", " + yade_grain(*pair.b, start.x[1], start.v[1]);
+    std::string grains = yade_grain(pair.a, start, 0);
+    if (pair.b) grains += ", " + yade_grain(*pair.b, start, 1);
     script += fmt::format("encounter({}, {}, {}, [{}], [{}], {})\n", i, shortest(steps[i]), start.steps, grains, walls,
                           shortest(pair.reach()));
   }
@@ -199,7 +211,8 @@ Trajectory read_columns(const std::string& text) {
   Trajectory trajectory;
   std::istringstream lines(text);
   lines.imbue(std::locale::classic());
-  for (Instant at{}; lines >> at.time >> at.overlap >> at.rate >> at.force;) trajectory.push_back(at);
+  for (Instant at{}; lines >> at.time >> at.overlap >> at.rate >> at.force >> at.across >> at.spin;)
+    trajectory.push_back(at);
   return trajectory;
 }
 

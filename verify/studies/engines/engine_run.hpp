@@ -8,12 +8,14 @@
 
 namespace ricochet::verify::engines {
 
-/// One instant of a head-on collision.
+/// One instant of a collision. Rates are in Yade, whose velocities are half a step behind, those of half a step before.
 struct Instant {
-  double time;     ///< from the start of the run [s]
-  double overlap;  ///< [m]
-  double rate;   ///< of the overlap [m/s]; in Yade, whose velocities are half a step behind, that of half a step before
-  double force;  ///< repulsion [N]
+  double time;        ///< from the start of the run [s]
+  double overlap;     ///< along the normal of the start [m]
+  double rate;        ///< of the overlap [m/s]
+  double force;       ///< repulsion [N]
+  double across = 0;  ///< velocity of a's centre across the normal, relative to b's or the wall's [m/s]
+  double spin = 0;    ///< of a about the third axis [1/s]
 };
 using Trajectory = std::vector<Instant>;
 
@@ -26,15 +28,17 @@ struct Grain {
   double mass() const;
 };
 
-/// Two grains that fly at each other with half the velocity each, or one that flies at a wall.
+/// Two grains that fly at each other with half the velocities each, or one that flies at a wall.
 struct Encounter {
   Grain a = {};
   std::optional<Grain> b = {};  ///< none: a wall
   double velocity = 0;          ///< relative [m/s]
   double tcol = 0;              ///< of the collision, roughly [s]; a run takes 1.7 of it
+  double across = 0;            ///< relative velocity across the normal [m/s]
   int grain_types = 1;          ///< that the snippet has
-  /// What follows ricochet_wall and wall_material in the snippet, of each kind of wall; without b the first is met.
+  /// What follows ricochet_wall and wall_material in the snippet, of each kind of wall.
   std::vector<std::string> walls = {};
+  std::size_t met = 0;  ///< the wall that is met without b
 
   double duration() const { return 1.7 * tcol; }
   double mass_eff() const { return b ? a.mass() / (1 + a.mass() / b->mass()) : a.mass(); }

@@ -1,3 +1,4 @@
+#include "oblique.hpp"
 #include "outcome.hpp"
 
 #include <verify/registry.hpp>
@@ -121,13 +122,14 @@ std::string program_name(Engine engine, bool fractional) {
 /// What was run, and the programs that are not installed.
 struct Runs {
   std::vector<Outcome> outcomes = {};
+  std::vector<ObliqueOutcome> oblique = {};
   std::vector<std::string> missing = {};
   bool misses(const std::string& who) const { return std::find(missing.begin(), missing.end(), who) != missing.end(); }
 };
 
-Runs run_all() {
+Runs run_all(const std::vector<Engine>& wanted) {
   std::vector<Contact> contacts;
-  for (const Engine engine : {Engine::liggghts, Engine::lammps, Engine::yade})
+  for (const Engine engine : wanted)
     for (Contact& contact : contacts_of(engine)) contacts.push_back(std::move(contact));
   Runs runs;
   console::Progress progress("verify engines", contacts.size());
@@ -139,6 +141,9 @@ Runs run_all() {
       runs.missing.push_back(who);
     progress.advance();
   }
+  for (const Engine engine : wanted)
+    if (const auto program = EngineProgram::find(engine))
+      for (const ObliqueContact& what : oblique_contacts(engine)) runs.oblique.push_back(engines::run(*program, what));
   return runs;
 }
 
@@ -154,25 +159,33 @@ class Engines : public Study {
                     "fail unless these engines are installed: liggghts, lammps, yade, "
                     "liggghts-ricochet")
         ->check(CLI::IsMember({"liggghts", "lammps", "yade", "liggghts-ricochet"}));
+    command.add_option("--engine", engines_, "run these engines alone: liggghts, lammps, yade")
+        ->check(CLI::IsMember({"liggghts", "lammps", "yade"}));
   }
   StudyResult run(const RunOptions&) override;
 
  private:
-  std::vector<std::string> required_;
+  std::vector<std::string> required_, engines_;
 };
 
 StudyResult Engines::run(const RunOptions&) {
-  const Runs runs = run_all();
+  std::vector<Engine> wanted;
+  for (const Engine engine : {Engine::liggghts, Engine::lammps, Engine::yade})
+    if (engines_.empty() || std::find(engines_.begin(), engines_.end(), text(engine)) != engines_.end())
+      wanted.push_back(engine);
+  const Runs runs = run_all(wanted);
   StudyResult result;
-  result.tables = {results(runs.outcomes), deficiencies(runs.outcomes)};
+  result.tables = {results(runs.outcomes), deficiencies(runs.outcomes), oblique_table(runs.oblique)};
   result.rows = Json::array();
   for (const Outcome& o : runs.outcomes) {
     add_gates(result.gates, o);
     result.rows.push_back(row(o));
   }
   for (const std::string& who : required_) result.gates.push_back(holds(who + " is installed", !runs.misses(who)));
+  for (const Gate& gate : oblique_gates(runs.oblique)) result.gates.push_back(gate);
+  result.extra["oblique"] = oblique_rows(runs.oblique);
   result.extra["skipped"] = runs.missing;
-  result.verdict = fmt::format("{} contacts run", runs.outcomes.size());
+  result.verdict = fmt::format("{} contacts and {} oblique impacts run", runs.outcomes.size(), runs.oblique.size());
   for (const std::string& who : runs.missing) result.verdict += fmt::format("; SKIPPED {}: not installed here", who);
   result.verdict += ".";
   return result;

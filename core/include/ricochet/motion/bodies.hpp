@@ -46,7 +46,7 @@ struct Interaction {
   double breakage_energy = std::numeric_limits<double>::infinity();
   TangentialLaw tangential = RigidTangential{};
   Torsion torsion{};  ///< of a compliant tangential law; the rigid one has the disc's (36), (44)
-  Rolling rolling{};  ///< of a compliant tangential law; `friction` has the arm ρ of both
+  Rolling rolling{};  ///< its springs are those of a compliant tangential law; `friction` has the arm ρ
 };
 
 /// Interactions by pair of materials, (a, b) with a ≤ b.

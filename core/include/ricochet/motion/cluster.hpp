@@ -171,6 +171,8 @@ class Cluster {
   void finish(ContactState& contact, const ContactGeometry& g);
   void prepare_rows();
   void prepare_friction(const ContactState& contact, Vec3 velocity, Row& row) const noexcept;
+  Friction rigid_friction(const ContactState& contact, const ContactGeometry& g) const;
+  double radius_eff(const ContactState& contact) const noexcept;
   motion::CompliantRow compliant_row(const ContactState& contact, Vec3 velocity, const Row& row) const noexcept;
   motion::NormalBatch batch(const Model& model) noexcept;
   void push(const ContactState& c, const ContactGeometry& g, double normal) noexcept;
