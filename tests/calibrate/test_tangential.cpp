@@ -106,8 +106,8 @@ TEST_CASE("out of a form's range, beta0 is told with the range", "[tangential]")
 TEST_CASE("a contact that ends by overlap lets go in its tangent plane before it ends, which is said", "[tangential]") {
   const auto c = found({.beta0 = 0.5}, normal(kind_of<Linear>, ContactEnd::overlap), ContactEnd::overlap);
   CHECK(std::get<LinearTangential>(c.law).c_t() == Approx(-2 * m_t * std::log(0.5) / tcol).epsilon(1e-14));
-  // The repulsion of a damped spring, cos psi = D t/hypot(pi, D t), lasts 2 psi/sqrt(k/m) and the tangential motion then
-  // is -e^(-Dt)(cos wt - (D/w) sin wt) of it, w = pi/tcol.
+  // The repulsion of a damped spring lasts 2 psi/(sin psi sqrt(k/m)), cos psi = c/(2 sqrt(km)), and the tangential
+  // motion then is -e^(-Dt)(cos wt - (D/w) sin wt), w = pi/tcol.
   const Linear law = std::get<Linear>(normal(kind_of<Linear>, ContactEnd::overlap));
   const double psi = std::acos(law.c() / (2 * std::sqrt(law.k() * impact.mass_eff)));
   const double repulsion = 2 * psi / (std::sin(psi) * std::sqrt(law.k() / impact.mass_eff));
