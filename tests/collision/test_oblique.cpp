@@ -227,9 +227,9 @@ TEST_CASE("bodies and laws outside their domains are refused by name") {
   CHECK(message({.i = {1, 0, {0, 0, 1}, {}}}, contact) == "radius = 0: must be finite and > 0");
   CHECK(message({.i = {1, 1, {0, 0, 1}, {}, 0.7}}, contact) == "inertia_ratio = 0.7: must be > 0 and <= 2/3");
   CHECK(message({.i = sphere({NAN, 0, 1})}, contact) == "velocity = nan: must be finite");
-  TangentialContact disc = contact;
-  disc.torsion = {Torsion::Limit::disc, {1, 0}};
-  CHECK(message(at_angle(10), disc).substr(0, 20) == "torsion.limit = disc");
+  TangentialContact loose = contact;
+  loose.torsion = {Torsion::Limit::disc};
+  CHECK(message(at_angle(10), loose).substr(0, 21) == "torsion stiffness = 0");
 }
 
 TEST_CASE("what is no separation along the normal is none obliquely") {
@@ -239,4 +239,89 @@ TEST_CASE("what is no separation along the normal is none obliquely") {
   CHECK_FALSE(stays.separated());
   CHECK(collide(Linear(1.72e7, 0), contact, at_angle(10), {.max_evaluations = 50}).status ==
         CollisionStatus::budget_spent);
+}
+
+TEST_CASE("a damping so small that the force is back past the overlap's end within a step hides no end") {
+  // y² + γ w > 0 again for y < 0: the last root lies 2√γ or so apart.
+  for (const double c : {1e-12, 1e-9, 1e-6, 1e-5, 1.08775e-4, 3.26521e-4, 1e-3}) {
+    const auto out = collide(Linear(1, c), {LinearTangential(1), measured}, {.i = {1, 10, {0.3, 0, 0.1}, {}}});
+    CAPTURE(c);
+    CHECK(out.separated());
+    CHECK(out.impulse_ratio > 0.05);
+  }
+}
+
+namespace {
+
+/// A rigid disc that slides and spins under R = kζ, ζ = (v/w) sin wt, by steps of `friction_impulse`, of order 2.
+struct StepwiseDisc {
+  Vec3 slip;
+  double spin = 0;
+};
+StepwiseDisc disc_by_steps(const ObliqueImpact& impact, double k, int steps) {
+  const ImpactBody& b = impact.i;
+  const double w = std::sqrt(k / b.mass), h = std::numbers::pi / w / steps, v = b.velocity.z;
+  const double turns = 1 / inertia(b);
+  FrictionProblem p;
+  p.mobility = {3.5 / b.mass, radius * turns, turns};
+  SlipMotion motion{{b.velocity.x + radius * b.spin.y, b.velocity.y - radius * b.spin.x, 0}, b.spin.z, {}};
+  for (int n = 0; n < steps; ++n) {
+    p.normal_impulse = b.mass * v * (std::cos(w * h * n) - std::cos(w * h * (n + 1)));
+    const double overlap = v / w * std::sin(w * h * (n + 0.5));
+    p.contact_radius = std::sqrt(overlap * (2 * radius - overlap));
+    p.before = p.free = motion;
+    const FrictionSolution s = friction_impulse(measured, p, {});
+    motion.slip += p.mobility.slip * s.impulse.sliding;
+    motion.spin += turns * s.impulse.torsion;
+  }
+  return {motion.slip, motion.spin};
+}
+
+}  // namespace
+
+TEST_CASE("a rigid disc that slides and spins is what steps of its friction tend to") {
+  TangentialContact contact{RigidTangential{}, measured};
+  contact.torsion.limit = Torsion::Limit::disc;
+  for (const double degrees : {4.0, 60.0})
+    for (const double spin : {300.0, 3000.0}) {
+      const ObliqueImpact impact = at_angle(degrees, {50, 80, spin});
+      const auto out = collide(Linear(1.72e7, 0), contact, impact);
+      const auto coarse = disc_by_steps(impact, 1.72e7, 4000), fine = disc_by_steps(impact, 1.72e7, 8000);
+      const Vec3 slip = out.velocity_i + radius * cross(out.spin_i, Vec3{0, 0, 1});
+      CAPTURE(degrees, spin);
+      CHECK(slip.x == Approx(fine.slip.x + (fine.slip.x - coarse.slip.x) / 3).margin(1e-6));
+      CHECK(slip.y == Approx(fine.slip.y + (fine.slip.y - coarse.slip.y) / 3).margin(1e-6));
+      CHECK(out.spin_i.z == Approx(fine.spin + (fine.spin - coarse.spin) / 3).epsilon(1e-7));
+      CHECK(out.lost.torsion > 0);
+    }
+}
+
+TEST_CASE("springs that share the disc's limit slide as the rigid disc does, the nearer the stiffer they are") {
+  const ObliqueImpact impact = at_angle(60, {0, 0, 3000});
+  TangentialContact rigid{RigidTangential{}, measured};
+  rigid.torsion.limit = Torsion::Limit::disc;
+  const auto limit = collide(Linear(1.72e7, 0), rigid, impact);
+  const auto off = [&](double k) {
+    TangentialContact contact{LinearTangential(k), measured};
+    contact.torsion = {Torsion::Limit::disc, {k * 1e-9, 0}};
+    const auto out = collide(Linear(1.72e7, 0), contact, impact);
+    CHECK(std::abs(energy(impact) - energy(after(impact, out)) - out.lost.sum()) < 1e-6 * energy(impact));
+    return std::abs(out.spin_i.z - limit.spin_i.z);
+  };
+  const double soft = off(1.48e8), stiff = off(1.48e10);
+  CHECK(soft < 30);
+  CHECK(stiff < 0.1 * soft);
+}
+
+TEST_CASE("a spin too small to matter leaves a shared limit to the sliding") {
+  for (const double degrees : {5.0, 20.0, 40.0}) {
+    TangentialContact contact{MindlinTangential(4e9, 5), measured};
+    const auto alone = collide(Tsuji(4e9, 150), contact, at_angle(degrees));
+    contact.torsion = {Torsion::Limit::disc, {0.01, 0}};
+    const auto shared = collide(Tsuji(4e9, 150), contact, at_angle(degrees, {0, 0, 1e-9}));
+    CAPTURE(degrees);
+    CHECK(*shared.et == Approx(*alone.et).epsilon(1e-6));
+    CHECK(*shared.beta == Approx(*alone.beta).margin(1e-6));
+    CHECK(shared.lost.sum() == Approx(alone.lost.sum()).margin(1e-6 * energy(at_angle(degrees))));
+  }
 }

@@ -127,9 +127,9 @@ struct Runs {
   bool misses(const std::string& who) const { return std::find(missing.begin(), missing.end(), who) != missing.end(); }
 };
 
-Runs run_all() {
+Runs run_all(const std::vector<Engine>& wanted) {
   std::vector<Contact> contacts;
-  for (const Engine engine : {Engine::liggghts, Engine::lammps, Engine::yade})
+  for (const Engine engine : wanted)
     for (Contact& contact : contacts_of(engine)) contacts.push_back(std::move(contact));
   Runs runs;
   console::Progress progress("verify engines", contacts.size());
@@ -141,7 +141,7 @@ Runs run_all() {
       runs.missing.push_back(who);
     progress.advance();
   }
-  for (const Engine engine : {Engine::liggghts, Engine::lammps, Engine::yade})
+  for (const Engine engine : wanted)
     if (const auto program = EngineProgram::find(engine))
       for (const ObliqueContact& what : oblique_contacts(engine)) runs.oblique.push_back(engines::run(*program, what));
   return runs;
@@ -159,15 +159,21 @@ class Engines : public Study {
                     "fail unless these engines are installed: liggghts, lammps, yade, "
                     "liggghts-ricochet")
         ->check(CLI::IsMember({"liggghts", "lammps", "yade", "liggghts-ricochet"}));
+    command.add_option("--engine", engines_, "run these engines alone: liggghts, lammps, yade")
+        ->check(CLI::IsMember({"liggghts", "lammps", "yade"}));
   }
   StudyResult run(const RunOptions&) override;
 
  private:
-  std::vector<std::string> required_;
+  std::vector<std::string> required_, engines_;
 };
 
 StudyResult Engines::run(const RunOptions&) {
-  const Runs runs = run_all();
+  std::vector<Engine> wanted;
+  for (const Engine engine : {Engine::liggghts, Engine::lammps, Engine::yade})
+    if (engines_.empty() || std::find(engines_.begin(), engines_.end(), text(engine)) != engines_.end())
+      wanted.push_back(engine);
+  const Runs runs = run_all(wanted);
   StudyResult result;
   result.tables = {results(runs.outcomes), deficiencies(runs.outcomes), oblique_table(runs.oblique)};
   result.rows = Json::array();
