@@ -290,6 +290,27 @@ Reading read(const Asked& asked, Spelling spelling) {
   return reading;
 }
 
+std::optional<TangentialRequest> tangential_of(const Asked& asked, Spelling spelling, const Scale& scale) {
+  if (!asked.beta0 && !asked.mu && !asked.form) return std::nullopt;
+  TangentialRequest request{.form = asked.form.value_or(TangentialForm::linear), .beta0 = asked.beta0, .mu = asked.mu};
+  if (request.beta0 && !(*request.beta0 >= -1 && *request.beta0 <= 1))
+    throw BadInput(spelled(spelling, "beta0"), shortest(*request.beta0), "in [-1, 1]");
+  if (request.mu && !(*request.mu >= 0 && *request.mu <= greatest_scale))
+    throw BadInput(spelled(spelling, "mu"), shortest(*request.mu), "in [0, 1e30]");
+  const auto* moduli = std::get_if<scale::Moduli>(&scale);
+  if (request.form == TangentialForm::mindlin && moduli)
+    request.mindlin = mindlin_stiffness(moduli->first.young, moduli->first.poisson, moduli->second.young,
+                                        moduli->second.poisson, moduli->radius_eff) /
+                      moduli->soften;
+  if (!request.beta0 && !request.mindlin)
+    throw BadInput(
+        fmt::format("{}: missing: must be given, a tangential restitution in [-1, 1]{}", spelled(spelling, "beta0"),
+                    request.form == TangentialForm::mindlin
+                        ? fmt::format(", or {} with {}", spelled(spelling, "young"), spelled(spelling, "poisson"))
+                        : fmt::format(", with {}", asked.mu ? spelled(spelling, "mu") : "--tangential")));
+  return request;
+}
+
 std::pair<std::vector<double>, Spring> parse_stiffnesses(std::string_view text) {
   for (const auto& [unit, spring] :
        {std::pair(console::count_unit, Spring::any), {"kg/s^2", Spring::linear}, {hertzian_unit, Spring::hertzian}}) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <calibrate/known.hpp>
+#include <calibrate/tangential.hpp>
 #include <console/quantity.hpp>
 
 #include <array>
@@ -23,14 +24,16 @@ struct Asked {
   std::optional<double> tcol, stiffness, young, poisson, young2, poisson2, soften, max_overlap, overlap_share, timestep,
       steps;
   std::optional<double> en, loss_factor, damping_ratio, alpha;
+  std::optional<double> beta0, mu;
   std::optional<double> velocity, mass_eff, radius, diameter, density, radius2, diameter2, density2;
   bool wall = false;
   LinearMatch match = LinearMatch::time;
-  Spring spring = Spring::any;  ///< of `stiffness`
+  Spring spring = Spring::any;              ///< of `stiffness`
+  std::optional<TangentialForm> form = {};  ///< of the tangential law
 };
 
 /// What a number of `Asked` is about; of `scale` and `loss` one is enough.
-enum class Topic { scale, loss, impact };
+enum class Topic { scale, loss, impact, tangential };
 
 /// A number of `Asked`: its name in files (a flag has two dashes before it and one for each underscore), its unit,
 /// whether flags take a list of it, what it means, and other names that columns have for it.
@@ -88,6 +91,9 @@ inline constexpr std::array fields{
     Field{"diameter2", "m", &Asked::diameter2, Topic::impact, false, "its diameter instead"},
     Field{"density2", "kg/m^3", &Asked::density2, Topic::impact, false,
           "density of the other sphere (default --density)"},
+    Field{"beta0", "", &Asked::beta0, Topic::tangential, true,
+          "tangential restitution of a contact that sticks, in [-1, 1] (alias --et)", "beta_0,et,e_t", false},
+    Field{"mu", "", &Asked::mu, Topic::tangential, true, "coefficient of friction", "friction", false},
 };
 
 /// How names are written to the one who gave them.
@@ -124,6 +130,10 @@ Reading read(const Asked& asked, Spelling spelling);
 /// The numbers of a stiffness, one or a list, and of which spring they are. Throws std::invalid_argument saying what is
 /// accepted.
 std::pair<std::vector<double>, Spring> parse_stiffnesses(std::string_view text);
+/// What is asked of the contact in its tangent plane, `scale` and `bodies` being known; nothing where it is not asked
+/// for. Throws console::BadInput naming what is missing or outside its domain.
+std::optional<TangentialRequest> tangential_of(const Asked& asked, Spelling spelling, const Scale& scale);
+
 /// Is it the spring of that law's stiffness?
 bool fits(Spring spring, LawKind law);
 /// "5000 kg/s^2": the number with the unit that was stated.

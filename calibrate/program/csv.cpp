@@ -70,6 +70,21 @@ std::vector<Cell> row_of(const Calibration& r, bool given, StepAdvisor& advisor)
   return row;
 }
 
+/// Every parameter of the tangential law under its own name and unit, with β₀ and μ.
+std::vector<Column> tangential_columns(const Job& job) {
+  std::vector<Column> all;
+  for (const Parameter& p : parameters_of(job.tangential->form)) all.push_back({std::string(p.name), p.unit()});
+  all.insert(all.end(), {{"beta0"}, {"mu"}});
+  return all;
+}
+
+std::vector<Cell> tangential_cells(const TangentialCalibration& t) {
+  std::vector<Cell> cells;
+  for (const double value : values(t.law)) cells.emplace_back(value);
+  cells.insert(cells.end(), {t.beta0, t.mu ? Cell(*t.mu) : console::blank()});
+  return cells;
+}
+
 }  // namespace
 
 console::Table csv_of(const Report& report) {
@@ -93,8 +108,15 @@ console::Table csv_of(const Report& report, StepAdvisor& advisor) {
                                  {"algorithm"},
                                  {"cross_check_difference"}});
   for (const Column& column : step_columns()) columns.push_back(column);
+  if (report.job.tangential)
+    for (const Column& column : tangential_columns(report.job)) columns.push_back(column);
   console::Table table(columns);
-  for (const auto& result : report.results) table.row(row_of(result, report.job.given.has_value(), advisor));
+  for (std::size_t i = 0; i < report.results.size(); ++i) {
+    auto row = row_of(report.results[i], report.job.given.has_value(), advisor);
+    if (report.job.tangential)
+      for (const Cell& cell : tangential_cells(report.tangential[i].found)) row.push_back(cell);
+    table.row(row);
+  }
   const auto without_result = [&](LawKind law, ContactEnd end, const std::string& status) {
     std::vector<Cell> row(columns.size(), console::blank());
     row[0] = std::string(law.name());

@@ -61,22 +61,27 @@ std::vector<Column> columns_of(const CurveReport& report, const Group& group) {
   if (columns.front().name != "en") columns.push_back({"en", "", nine});
   for (const Parameter& p : group.law.parameters())
     if (columns.front().name != p.name) columns.push_back({std::string(p.name), p.unit(), nine});
+  if (const auto& wanted = report.reports.front().job.tangential)
+    for (const Parameter& p : parameters_of(wanted->form)) columns.push_back({std::string(p.name), p.unit(), nine});
   columns.push_back({"max overlap", "m"});
   columns.push_back({"max force", "N"});
   return columns;
 }
 
 /// What a law does and what it is, by the column's name.
-double value_in(const std::string& column, const Calibration& r) {
+double value_in(const std::string& column, const Calibration& r, const Tangential* tangential) {
   if (column == "tcol") return r.achieved.tcol;
   if (column == "en") return r.achieved.en;
+  if (column == "k_t") return values(tangential->found.law).front();
+  if (column == "c_t") return values(tangential->found.law).back();
   const auto of_law = parameters(r.law);
   return std::find_if(of_law.begin(), of_law.end(), [&](const auto& p) { return p.name == column; })->value;
 }
 
-void add_row(Table& table, double value, const Calibration& r) {
+void add_row(Table& table, double value, const Calibration& r, const Tangential* tangential) {
   std::vector<Cell> row{value};
-  for (std::size_t i = 1; i + 2 < table.columns().size(); ++i) row.emplace_back(value_in(table.columns()[i].name, r));
+  for (std::size_t i = 1; i + 2 < table.columns().size(); ++i)
+    row.emplace_back(value_in(table.columns()[i].name, r, tangential));
   row.insert(row.end(), {r.achieved.max_overlap, r.achieved.max_force});
   table.row(row);
 }
@@ -93,7 +98,8 @@ Table table_of(const CurveReport& report, const Group& group) {
     const auto same = [&](const auto& r) { return LawKind::of(r.law) == group.law && r.end == group.end; };
     const auto found = std::find_if(one.results.begin(), one.results.end(), same);
     if (found != one.results.end()) {
-      add_row(table, value, *found);
+      const auto place = static_cast<std::size_t>(found - one.results.begin());
+      add_row(table, value, *found, one.tangential.empty() ? nullptr : &one.tangential[place]);
       continue;
     }
     std::vector<Cell> row(table.columns().size(), console::blank());

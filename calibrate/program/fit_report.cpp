@@ -270,6 +270,22 @@ Measurement bodies_of(const Options& options, FitReport& report) {
   return {.mass_eff = bodies.mass_eff, .radius_eff = bodies.radius_eff.value_or(0)};
 }
 
+/// Flags that nothing follows: refused where they ask for a whole law and there is none, else told.
+void judge_idle_flags(const Options& options, FitReport& report) {
+  if (report.run) {
+    require_match_to_matter(options, report.run->job.known.scale);
+    return;
+  }
+  for (const std::string flag : {"--match", "--velocity"})
+    if (was_given(options, flag))
+      throw BadInput(fmt::format("{}: must be left out without a scale, without which no law comes out whole", flag));
+  std::vector<std::string> idle;
+  for (const std::string& flag : flags_of({Topic::impact}, {"--wall"}))
+    if (was_given(options, flag) && !(report.data.front().mass_eff > 0)) idle.push_back(flag);
+  if (!idle.empty())
+    report.notes.push_back(fmt::format("{}: no part in what these data tell without a scale", fmt::join(idle, ", ")));
+}
+
 /// Throws where laws that are not whole are asked for.
 void require_run(const Options& options, const FitReport& report) {
   for (const auto& [flag, text] : {std::pair("--export", options.engine), std::pair("--report", options.page)})
@@ -295,6 +311,7 @@ console::Exit run_fit(const Options& options) {
   fit_all(report, requests, options.fit);
   report.run = run_of_fits(options, report.fits, report.data);
   require_run(options, report);
+  judge_idle_flags(options, report);
   // Both are whole before either takes its place.
   std::optional<console::OutputFolder> figures;
   if (!options.figures.empty()) console::draw(figure_of(report.fits, report.data), figures.emplace(options.figures));

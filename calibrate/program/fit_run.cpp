@@ -57,6 +57,15 @@ void add(Report& report, const Fit& fit, Asked asked, bool times) {
   asked.en = std::min(p.en, 1.0);
   if (times) asked.tcol = p.tcol;
   const Reading reading = read(asked, Spelling::flags);
+  if (!fits(reading.spring, fit.request.law)) {
+    report.infeasible.push_back(
+        {.law = fit.request.law,
+         .end = fit.request.end,
+         .reason = fmt::format("--stiffness = {}: must be {}", stated(*asked.stiffness, reading.spring),
+                               spring_of(fit.request.law)),
+         .quantity = ""});
+    return;
+  }
   Job job = report.job;
   job.known = reading.known;
   job.wanted = {{fit.request.law, fit.request.end}};
@@ -90,6 +99,8 @@ std::optional<Report> run_of_fits(const Options& options, const std::vector<Fit>
   }
   report.job.title = fmt::format("the fits of {}", options.fit);
   for (const Fit& fit : fits) add(report, fit, asked, times);
+  if (fits.size() == 1 && !calibration::fits(asked.spring, fits.front().request.law))
+    throw console::BadInput(report.infeasible.front().reason);
   return report;
 }
 

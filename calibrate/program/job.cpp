@@ -153,6 +153,7 @@ Job forward_job(const Options& o) {
   reading.bodies = bodies_of(asked, Spelling::flags, reading.assumptions);
   reading.known.impact = {velocity, reading.bodies.mass_eff};
   take(job, reading, asked.wall);
+  job.tangential = tangential_of(asked, Spelling::flags, job.known.scale);
   add_wanted(job, o, LawKind::of(*job.given));
   return job;
 }
@@ -230,6 +231,7 @@ Job job_of(const Options& o) {
   Job job;
   take(job, read(o.asked, Spelling::flags), o.asked.wall);
   require_match_to_matter(o, job.known.scale);
+  job.tangential = tangential_of(o.asked, Spelling::flags, job.known.scale);
   if (job.stiffness && !fits(o.asked.spring, kind_of<Linear>))
     throw BadInput("--stiffness", stated(*job.stiffness, o.asked.spring), spring_of(kind_of<Fractional>));
   if (job.stiffness && alone(o) && o.law != kind_of<Fractional>.name())

@@ -71,8 +71,9 @@ struct Job {
   std::vector<std::string> assumptions;
   std::optional<double> radius_eff, density;  ///< where they are known: r₁r₂/(r₁+r₂) [m], of both spheres [kg/m³]
   std::optional<double> radius;               ///< of the smaller sphere, where radii were given [m]
-  bool wall = false;                          ///< the contact is one of the sphere with a wall
-  std::string title = {};                     ///< what was asked for, where that is not `known`
+  std::optional<TangentialRequest> tangential = {};
+  bool wall = false;       ///< the contact is one of the sphere with a wall
+  std::string title = {};  ///< what was asked for, where that is not `known`
 };
 
 /// Throws console::BadInput naming flag, value and what is accepted.

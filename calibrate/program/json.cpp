@@ -50,6 +50,8 @@ Json target_of(const Job& job) {
   if (const auto* l = std::get_if<loss::LossFactor>(&known.loss)) out["loss_factor"] = l->tan_delta;
   if (const auto* l = std::get_if<loss::DampingRatio>(&known.loss)) out["damping_ratio"] = l->ratio;
   if (const auto* l = std::get_if<loss::ConversionDegree>(&known.loss)) out["alpha"] = l->alpha;
+  if (job.tangential && job.tangential->beta0) out["beta0"] = *job.tangential->beta0;
+  if (job.tangential && job.tangential->mu) out["mu"] = *job.tangential->mu;
   return out;
 }
 
@@ -80,6 +82,35 @@ Json json_of(const Calibration& r, bool given) {
   return out;
 }
 
+Json json_of(const Tangential& t) {
+  Json out{{"law", text(t.found.form)}};
+  const auto all = parameters_of(t.found.law);
+  const auto of_law = values(t.found.law);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    out["parameters"][std::string(all[i].name)] = of_law[i];
+    out["units"][std::string(all[i].name)] = all[i].unit();
+  }
+  out["parameters"]["mu"] = t.found.mu ? Json(*t.found.mu) : Json();
+  out["beta0"] = t.found.beta0;
+  out["achieved"] = {{"beta0", t.found.achieved}};
+  out["algorithm"] = t.found.algorithm;
+  if (t.found.cross_difference)
+    out["cross_check"] = {{"method", "nlopt"},
+                          {"max_relative_difference", *t.found.cross_difference},
+                          {"evaluations", t.found.evaluations}};
+  if (!t.found.remarks.empty()) out["remarks"] = t.found.remarks;
+  if (t.rebounds.empty()) return out;
+  out["units"]["angle"] = out["units"]["rebound_angle"] = "rad";
+  out["rebounds"] = Json::array();
+  for (const ObliqueRebound& r : t.rebounds)
+    out["rebounds"].push_back({{"angle", r.angle},
+                               {"et", r.et},
+                               {"beta", r.beta},
+                               {"rebound_angle", r.rebound_angle},
+                               {"impulse_ratio", r.impulse_ratio}});
+  return out;
+}
+
 Json json_of(const std::vector<EngineStep>& steps) {
   Json all = Json::array();
   for (const EngineStep& s : steps)
@@ -91,7 +122,12 @@ Json json_of(const Infeasible& missed) {
   Json reachable = Json::object();
   if (!missed.quantity.empty()) reachable[missed.quantity] = {missed.lowest, missed.highest};
   Json out{{"law", missed.law.name()}, {"end", text(missed.end)}, {"reason", missed.reason}, {"reachable", reachable}};
-  if (missed.open) out["excluded"] = {{missed.quantity, missed.highest}};
+  if (missed.open || missed.low_open) {
+    Json ends = Json::array();
+    if (missed.low_open) ends.push_back(missed.lowest);
+    if (missed.open) ends.push_back(missed.highest);
+    out["excluded"] = {{missed.quantity, ends}};
+  }
   return out;
 }
 
@@ -113,8 +149,10 @@ Json document_of(const Report& report, StepAdvisor& advisor) {
                   {"hertz_time", "s"},  {"rayleigh_time", "s"}};
   out["assumed"] = report.job.assumptions;
   out["results"] = Json::array();
-  for (const Calibration& r : report.results) {
+  for (std::size_t i = 0; i < report.results.size(); ++i) {
+    const Calibration& r = report.results[i];
     Json result = json_of(r, report.job.given.has_value());
+    if (!report.tangential.empty()) result["tangential"] = json_of(report.tangential[i]);
     result["timestep"] = json_of(steps_of(r, advisor));
     if (const auto time = hertz_time_of(r.law, report.job.known.impact)) result["hertz_time"] = *time;
     out["results"].push_back(result);

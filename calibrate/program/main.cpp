@@ -66,7 +66,10 @@ console::Exit work(Options& options) {
   if (options.law.empty()) options.law = "all";
   options.settings.method = options.method == "direct" ? Method::direct : Method::nlopt;
   if (options.curve) return draw_curve(options);
-  const Report report = run(job_of(options), options.settings);
+  const Job job = job_of(options);
+  if (job.tangential && !options.engine.empty())
+    throw console::BadInput("--export: must be left out with --beta0, --mu and --tangential");
+  const Report report = run(job, options.settings);
   // Both are whole before either takes its place.
   std::optional<console::AtomicFile> page;
   if (!options.page.empty()) page.emplace(options.page).write(page_of(report));

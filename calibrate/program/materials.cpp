@@ -93,17 +93,21 @@ bool has_scale(const Pair& pair, const Materials& materials) {
 }
 
 Pair read_pair(const Node& node, const Materials& materials, const std::optional<double>& tcol) {
-  node.allow({"between", "en", "tcol", "stiffness"});
+  node.allow({"between", "en", "tcol", "stiffness", "beta0", "mu"});
   const Node between = node.at("between");
   if (!between.json().is_array() || between.size() != 2) between.reject("two materials [\"a\", \"b\"]");
   const auto [a, b] =
       std::minmax({place_of(between.at(std::size_t{0}), materials), place_of(between.at(std::size_t{1}), materials)});
   if (materials.all[a].wall) between.reject("at least one grain");
-  Pair pair{a, b, within(node.at("en"), least_scale, 1, "in (0, 1]"), {}, {}};
+  Pair pair{.a = a, .b = b, .en = within(node.at("en"), least_scale, 1, "in (0, 1]")};
   if (node.has("tcol")) pair.tcol = scale(node.at("tcol"));
   if (node.has("stiffness")) pair.stiffness = scale(node.at("stiffness"));
   if (pair.tcol && pair.stiffness) node.at("stiffness").reject("left out with tcol");
   if (!pair.tcol && !pair.stiffness) pair.tcol = tcol;
+  if (node.has("beta0")) pair.beta0 = within(node.at("beta0"), -1, 1, "in [-1, 1]");
+  if (node.has("mu")) pair.mu = within(node.at("mu"), 0, greatest_scale, "in [0, 1e30]");
+  if (pair.mu && !pair.beta0 && materials.tangential != TangentialForm::mindlin)
+    node.complain("\"beta0\" is missing; it must be given with \"mu\"");
   if (!has_scale(pair, materials))
     node.complain("no scale; give tcol or stiffness, or young and poisson, or stiffness of both materials");
   return pair;
@@ -155,7 +159,7 @@ void require_distinct_words(const Node& node, const Materials& materials) {
 Materials read_materials(const std::string& file, const std::string& text) {
   const console::Json json = console::parse_json(file, text, "docs/materials.md");
   const Node root(file, text, json);
-  root.allow({"schema", "title", "law", "velocity", "soften", "match", "tcol", "materials", "pairs"});
+  root.allow({"schema", "title", "law", "velocity", "soften", "match", "tcol", "tangential", "materials", "pairs"});
   if (root.has("schema")) root.at("schema").one_of({"ricochet/materials/1"});
   if (root.has("title")) root.at("title").text();
   Materials materials;
@@ -164,6 +168,8 @@ Materials read_materials(const std::string& file, const std::string& text) {
   if (root.has("soften")) materials.soften = within(root.at("soften"), 1, greatest_scale, "in [1, 1e30]");
   if (root.has("match") && root.at("match").one_of({"time", "overlap"}) == "overlap")
     materials.match = LinearMatch::overlap;
+  if (root.has("tangential"))
+    materials.tangential = *tangential_form(root.at("tangential").one_of({"linear", "linear-undamped", "mindlin"}));
   read_all(root.at("materials"), materials);
   require_distinct_words(root.at("materials"), materials);
   read_pairs(root, materials);

@@ -90,7 +90,7 @@ Table pair_table(const Answer& all) {
                                    text(all.materials.end), console::shortest(all.materials.velocity)));
   for (const PairResult& p : all.found) {
     std::vector<Cell> row{all.between(p.asked), p.target.en, p.target.tcol};
-    for (const double value : values(p.found.law)) row.push_back(value);
+    for (const double value : values(p.found.law)) row.emplace_back(value);
     row.insert(row.end(), {p.target.impact.mass_eff, 100 * p.found.achieved.max_overlap / smaller(all, p.asked),
                            p.found.achieved.max_force});
     table.row(row);
@@ -100,6 +100,24 @@ Table pair_table(const Answer& all) {
     if (!m.wall && !m.one_size())
       table.note(fmt::format("{}: at the middle of its radii, {} m", m.name,
                              console::significant(0.5 * (m.least + m.greatest), 6)));
+  return table;
+}
+
+/// The pairs that have a law in the tangent plane.
+Table tangential_table(const Answer& all) {
+  std::vector<console::Column> columns{{"pair"}};
+  for (const Parameter& p : parameters_of(all.materials.tangential))
+    columns.push_back({std::string(p.name), p.unit(), {Notation::Kind::significant, 9}});
+  columns.insert(columns.end(), {{"mu"}, {"beta0", "", {Notation::Kind::significant, 6}}});
+  Table table(columns,
+              fmt::format("In the tangent plane, {}: beta0 of a contact that sticks", text(all.materials.tangential)));
+  for (const PairResult& p : all.found) {
+    if (!p.tangential) continue;
+    std::vector<Cell> row{all.between(p.asked)};
+    for (const double value : values(p.tangential->law)) row.emplace_back(value);
+    row.insert(row.end(), {p.tangential->mu ? Cell(*p.tangential->mu) : console::blank(), p.tangential->achieved});
+    table.row(row);
+  }
   return table;
 }
 
@@ -164,6 +182,7 @@ Table missed_table(const Answer& all) {
 std::vector<Table> tables_of(const Answer& all) {
   std::vector<Table> tables;
   if (!all.found.empty()) tables.push_back(pair_table(all));
+  if (Table tangential = tangential_table(all); !tangential.rows().empty()) tables.push_back(std::move(tangential));
   if (any_sizes(all.materials)) tables.push_back(size_table(all));
   if (any_sizes(all.materials) && all.missed.empty()) tables.push_back(choice_table(all));
   if (!all.found.empty()) tables.push_back(steps_table(all));
@@ -193,6 +212,19 @@ Json json_of(const Answer& all, const PairResult& p) {
   json["max_overlap"] = p.found.achieved.max_overlap;
   json["max_force"] = p.found.achieved.max_force;
   if (const auto time = hertz_time_of(p.found.law, p.target.impact)) json["hertz_time"] = *time;
+  if (p.tangential) {
+    Json& own = json["tangential"];
+    own["law"] = text(p.tangential->form);
+    const auto of_law = values(p.tangential->law);
+    std::size_t i = 0;
+    for (const Parameter& parameter : parameters_of(p.tangential->form)) {
+      own["parameters"][std::string(parameter.name)] = of_law[i++];
+      own["units"][std::string(parameter.name)] = parameter.unit();
+    }
+    own["parameters"]["mu"] = p.tangential->mu ? Json(*p.tangential->mu) : Json();
+    own["beta0"] = p.tangential->beta0;
+    own["achieved"] = {{"beta0", p.tangential->achieved}};
+  }
   json["sizes"] = Json::array();
   for (const SizedContact& s : all.sizes(p)) json["sizes"].push_back(json_of(s));
   return json;

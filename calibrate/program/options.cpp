@@ -61,7 +61,8 @@ void add_field(CLI::App& app, Options& o, const Field& field) {
   };
   const bool own = field.unit.empty() || field.member == &Asked::stiffness;
   const std::string unit = own ? "" : fmt::format(" [{}]", field.unit);
-  app.add_option_function<std::string>(flag, read, fmt::format("{}{}", field.meaning, unit))
+  const std::string names = field.member == &Asked::beta0 ? flag + ",--et" : flag;
+  app.add_option_function<std::string>(names, read, fmt::format("{}{}", field.meaning, unit))
       ->type_name(field.curve ? "NUMBER(S)" : "NUMBER");
 }
 
@@ -73,6 +74,19 @@ void add_match(CLI::App& app, Options& o) {
   };
   app.add_option_function<std::string>(
          "--match", read, "what a linear spring shares with Hertz's of --young, undamped: time (default), overlap")
+      ->type_name("NAME");
+}
+
+void add_tangential(CLI::App& app, Options& o) {
+  const auto read = [&o](const std::string& value) {
+    o.asked.form = tangential_form(value);
+    if (!o.asked.form)
+      throw CLI::ValidationError(fmt::format("--tangential = {}: must be linear, linear-undamped or mindlin", value));
+  };
+  app.add_option_function<std::string>(
+         "--tangential", read,
+         "spring in the tangent plane: linear (default, with a dashpot), linear-undamped, "
+         "mindlin (k_t by --young and --poisson, else by --beta0)")
       ->type_name("NAME");
 }
 
@@ -97,8 +111,10 @@ void group_options(CLI::App& app) {
   app.get_option("--match")->group("Scale, one of: --tcol, --stiffness, --young, --max-overlap, --timestep");
   of_topic(Topic::loss, "Loss, one of");
   of_topic(Topic::impact, "Impact");
+  of_topic(Topic::tangential, "Tangential");
   const std::pair<const char*, std::vector<const char*>> groups[] = {
       {"Law", {"--law", "--end", "--with"}},
+      {"Tangential", {"--tangential"}},
       {"Impact", {"--wall"}},
       {"Method", {"--method", "--algorithm", "--tolerance"}},
       {"Many targets and measured data",
@@ -136,6 +152,7 @@ void add_files(CLI::App& app, Options& o) {
 void add_options(CLI::App& app, Options& o) {
   for (const Field& field : fields) add_field(app, o, field);
   add_match(app, o);
+  add_tangential(app, o);
   std::vector<std::string> laws{"all"};
   laws.insert(laws.end(), Laws::names.begin(), Laws::names.end());
   add_choice(app, "--law", o.law, laws, "law to calibrate (default all)");

@@ -1,3 +1,4 @@
+#include "page_tangential.hpp"
 #include "report.hpp"
 
 #include <calibrate/advice.hpp>
@@ -183,6 +184,7 @@ std::string page_of(const Report& report, const std::string& before) {
   for (std::size_t i = 0; i < tables.size(); ++i)
     body += console::html_table(tables[i], {.id = fmt::format("table-{}", i + 1), .shown = 40});
   if (!report.results.empty()) body += about_laws(report);
+  body += oblique_section(report);
   body += fmt::format(R"(<h2 id="data">Everything as JSON</h2>
 <details><summary>ricochet/calibration/1</summary>
 {}</details>

@@ -33,8 +33,32 @@ std::string bound_text(double bound, double refused, bool upper, bool open) {
 
 std::string range_of(const Infeasible& missed) {
   if (missed.lowest == missed.highest) return console::shortest(missed.lowest);
-  return fmt::format("in [{}, {}{}", bound_text(missed.lowest, missed.asked, false, false),
+  return fmt::format("in {}{}, {}{}", missed.low_open ? "(" : "[",
+                     bound_text(missed.lowest, missed.asked, false, missed.low_open),
                      bound_text(missed.highest, missed.asked, true, missed.open), missed.open ? ")" : "]");
+}
+
+/// The tangential law of a result that was found, or why there is none.
+std::variant<Tangential, Infeasible> tangential_of(const TangentialRequest& request, const Calibration& r) {
+  const Target& target = r.request.target;
+  const auto outcome = calibrate_tangential(request, r.law, r.end, target);
+  if (const auto* missed = std::get_if<Infeasible>(&outcome)) return *missed;
+  Tangential all{std::get<TangentialCalibration>(outcome)};
+  if (request.mu) all.rebounds = rebounds(all.found.law, *request.mu, r.law, r.end, target.impact, usual_angles());
+  return all;
+}
+
+/// Adds a result, with its tangential law where one is asked for and can be.
+void add(Report& report, const Calibration& result) {
+  if (report.job.tangential) {
+    const auto outcome = tangential_of(*report.job.tangential, result);
+    if (const auto* missed = std::get_if<Infeasible>(&outcome)) {
+      report.infeasible.push_back(*missed);
+      return;
+    }
+    report.tangential.push_back(std::get<Tangential>(outcome));
+  }
+  report.results.push_back(result);
 }
 
 }  // namespace
@@ -44,7 +68,7 @@ Report run(const Job& job, const Settings& settings) {
   for (const Wanted& wanted : job.wanted) {
     try {
       const Outcome outcome = outcome_of(job, wanted, settings);
-      if (const auto* result = std::get_if<Calibration>(&outcome)) report.results.push_back(*result);
+      if (const auto* result = std::get_if<Calibration>(&outcome)) add(report, *result);
       if (const auto* missed = std::get_if<Infeasible>(&outcome)) report.infeasible.push_back(*missed);
     } catch (const NotConverged& failure) {
       report.failed.push_back({wanted.law, wanted.end, failure.what()});

@@ -19,12 +19,19 @@ struct Failure {
   std::string reason;
 };
 
+/// A tangential law beside a normal one, and what both do to oblique impacts, where the friction is known.
+struct Tangential {
+  TangentialCalibration found;
+  std::vector<ObliqueRebound> rebounds = {};
+};
+
 /// Everything that the program has to tell about one job.
 struct Report {
   Job job;
   std::vector<Calibration> results;
   std::vector<Infeasible> infeasible;
   std::vector<Failure> failed = {};
+  std::vector<Tangential> tangential = {};  ///< one a result, where the job asks for it
 };
 
 /// One law's failure leaves the others' results as they are.

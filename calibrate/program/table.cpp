@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace ricochet::calibration {
 namespace {
@@ -147,6 +148,61 @@ Table step_table(const Report& report) {
   return table;
 }
 
+/// k_t and c_t with what a contact that sticks does by them.
+Table tangential_table(const Report& report) {
+  const auto all = parameters_of(report.tangential.front().found.law);
+  std::vector<console::Column> columns{{"law"}, {"end"}};
+  for (const Parameter& p : all) columns.push_back({std::string(p.name), p.unit(), nine});
+  columns.insert(columns.end(),
+                 {{"mu"}, {"beta0", "", {Notation::Kind::significant, 6}}, {"by"}, {"search", "", rough}});
+  Table table(columns, fmt::format("In the tangent plane, {}: beta0 of a contact that sticks, by an oblique collision",
+                                   text(report.tangential.front().found.form)));
+  for (std::size_t i = 0; i < report.tangential.size(); ++i) {
+    const TangentialCalibration& t = report.tangential[i].found;
+    std::vector<Cell> row{law_of(report.results[i]), end_of(report.results[i])};
+    for (const double value : values(t.law)) row.emplace_back(value);
+    row.insert(row.end(), {t.mu ? Cell(*t.mu) : console::blank(), t.achieved, t.algorithm,
+                           t.cross_difference ? Cell(*t.cross_difference) : console::blank()});
+    table.row(row);
+  }
+  table.note("search: greatest relative difference to the parameters that NLopt finds over oblique collisions");
+  for (std::size_t i = 0; i < report.tangential.size(); ++i)
+    for (const auto& remark : report.tangential[i].found.remarks)
+      table.note(fmt::format("{}, ended by {}: {}", law_of(report.results[i]), end_of(report.results[i]), remark));
+  return table;
+}
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// One law: all that is known of its rebounds.
+Table rebound_table(const Report& report) {
+  Table table({{"angle", "deg", {Notation::Kind::significant, 3}},
+               {"et", "", {Notation::Kind::fixed, 6}},
+               {"beta", "", {Notation::Kind::fixed, 6}},
+               {"rebound angle", "deg", {Notation::Kind::fixed, 4}},
+               {"impulse ratio/mu", "", {Notation::Kind::fixed, 6}}},
+              "Oblique impacts without spin, angles from the normal: et of the centre, beta of the contact point");
+  const Tangential& t = report.tangential.front();
+  for (const ObliqueRebound& r : t.rebounds)
+    table.row({r.angle / degree, r.et, r.beta, r.rebound_angle / degree,
+               *t.found.mu > 0 ? Cell(r.impulse_ratio / *t.found.mu) : console::blank()});
+  return table;
+}
+
+/// Several laws: e_t of each.
+Table rebounds_table(const Report& report) {
+  std::vector<console::Column> columns{{"angle", "deg", {Notation::Kind::significant, 3}}};
+  for (const Calibration& r : report.results)
+    columns.push_back({fmt::format("{}, {}", law_of(r), end_of(r)), "", {Notation::Kind::fixed, 6}});
+  Table table(columns, "Oblique impacts without spin, angles from the normal: et of the centre");
+  for (std::size_t i = 0; i < report.tangential.front().rebounds.size(); ++i) {
+    std::vector<Cell> row{report.tangential.front().rebounds[i].angle / degree};
+    for (const Tangential& t : report.tangential) row.emplace_back(t.rebounds[i].et);
+    table.row(row);
+  }
+  return table;
+}
+
 Table infeasible_table(const Report& report) {
   Table table({{"law"}, {"end"}, {"why"}}, "Out of reach");
   for (const auto& missed : report.infeasible)
@@ -170,6 +226,11 @@ std::vector<Table> law_tables(const Report& report) {
 
 std::vector<Table> tables_of(const Report& report) {
   std::vector<Table> tables = law_tables(report);
+  if (!report.tangential.empty()) {
+    tables.push_back(tangential_table(report));
+    if (!report.tangential.front().rebounds.empty())
+      tables.push_back(report.tangential.size() == 1 ? rebound_table(report) : rebounds_table(report));
+  }
   if (!report.results.empty() && !report.job.given) tables.push_back(check_table(report));
   if (const Table steps = step_table(report); !steps.rows().empty()) tables.push_back(steps);
   if (!report.infeasible.empty()) tables.push_back(infeasible_table(report));

@@ -1,5 +1,7 @@
 #include "target_rows.hpp"
 
+#include <ricochet/collision/tangential_restitution.hpp>
+
 #include "report.hpp"
 
 #include <console/exit.hpp>
@@ -97,7 +99,13 @@ TargetRows::TargetRows(std::string file, const console::CsvHead& head, const Tar
   Asked but_velocity = defaults_.asked;
   but_velocity.velocity.reset();
   nothing_by_default_ = !defaults_.asked.wall && !speaks_of(but_velocity, Topic::scale) &&
-                        !speaks_of(but_velocity, Topic::loss) && !speaks_of(but_velocity, Topic::impact);
+                        !speaks_of(but_velocity, Topic::loss) && !speaks_of(but_velocity, Topic::impact) &&
+                        !speaks_of(but_velocity, Topic::tangential);
+  if (defaults_.asked.form == TangentialForm::mindlin)
+    throw BadInput("--tangential", "mindlin", "linear or linear-undamped with --targets");
+  for (const auto member : {&Asked::beta0, &Asked::mu})
+    tangential_ = tangential_ || defaults_.asked.*member || columns_.has(place_of(member));
+  tangential_ = tangential_ || defaults_.asked.form;
   require_topics(head.line);
   const bool any_law = columns_.has(law);
   for (const LawKind l : LawKind::all()) {
@@ -128,7 +136,8 @@ void TargetRows::require_topics(std::size_t line) const {
 }
 
 std::string TargetRows::header() const {
-  return fmt::format("tcol [s],en,velocity [m/s],mass_eff [kg],law,end,status,{}\n", fmt::join(parameters_, ","));
+  return fmt::format("tcol [s],en,velocity [m/s],mass_eff [kg],law,end,status,{}{}\n", fmt::join(parameters_, ","),
+                     tangential_ ? ",beta0,mu,k_t [kg/s^2],c_t [kg/s]" : "");
 }
 
 /// Of which spring it is the head says, or the field itself.
@@ -200,9 +209,24 @@ std::vector<std::string> TargetRows::idle(std::uint64_t taken, const std::vector
     if (!(taken & bit(place)) && std::find(given.begin(), given.end(), flag) != given.end()) idle.push_back(flag);
   };
   for (std::size_t i = 0; i < fields.size(); ++i) look(fields[i].name, i);
-  for (const auto& [name, place] : {std::pair("law", law), {"end", end}, {"match", match}, {"wall", wall}})
+  for (const auto& [name, place] :
+       {std::pair("law", law), {"end", end}, {"match", match}, {"wall", wall}, {"tangential", form}})
     look(name, place);
   return idle;
+}
+
+/// By the closed forms; throws where β₀ is not what the form gives.
+void TargetRows::add_tangential(Row& row, const Scale& scale) const {
+  const auto wanted = tangential_of(*row.asked, Spelling::columns, scale);
+  if (!wanted) return;
+  row.taken |= bit(form);
+  const Target& target = row.request.target;
+  const bool damped = wanted->form == TangentialForm::linear;
+  if (!(damped ? *wanted->beta0 > 0 : *wanted->beta0 > -1))
+    throw BadInput("beta0", console::shortest(*wanted->beta0),
+                   damped ? "in (0, 1] of linear; linear-undamped goes down to -1" : "in (-1, 1] of linear-undamped");
+  row.tangential = tangential_for(*wanted->beta0, target.tcol, target.impact.mass_eff,
+                                  damped ? StickingForm::damped : StickingForm::undamped);
 }
 
 std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
@@ -230,6 +254,7 @@ std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
   row.request = std::get<Request>(request);
   if (reading.stiffness) row.request.stiffness = reading.stiffness;
   row.solved = true;
+  if (tangential_) add_tangential(row, reading.known.scale);
   const auto answer = calibrator_(row.request);
   if (const auto* missed = std::get_if<Infeasible>(&answer)) return in_terms_of(*missed, reading.known.loss);
   return answer;
@@ -251,7 +276,7 @@ void TargetRows::write(std::string& out, const Row& row, std::string_view status
   out += ',';
   append_text(out, status);
   if (!found) {
-    out.append(parameters_.size(), ',');
+    out.append(parameters_.size() + (tangential_ ? 4 : 0), ',');
     out += '\n';
     return;
   }
@@ -268,6 +293,17 @@ void TargetRows::write(std::string& out, const Row& row, std::string_view status
     out += ',';
     for (std::size_t i = 0; i < known; ++i)
       if (places[i] == column) append_shortest(out, values[i]);
+  }
+  if (tangential_) {
+    const auto number = [&](const std::optional<double>& value) {
+      out += ',';
+      if (value) append_shortest(out, *value);
+    };
+    const auto& law = row.tangential;
+    number(asked.beta0);
+    number(asked.mu);
+    number(law ? std::optional(law->k_t()) : std::nullopt);
+    number(law ? std::optional(law->c_t()) : std::nullopt);
   }
   out += '\n';
 }

@@ -45,7 +45,7 @@ class TargetRows {
   /// The columns: those of `fields`, two words, and the stiffness in the other unit that it may have.
   static constexpr std::size_t law = fields.size(), end = law + 1, hertzian = end + 1, count = hertzian + 1;
   /// Defaults beside them, as bits of Answers::taken.
-  static constexpr std::size_t match = count, wall = match + 1;
+  static constexpr std::size_t match = count, wall = match + 1, form = wall + 1;
   static constexpr std::uint64_t bit(std::size_t what) { return std::uint64_t{1} << what; }
   static const std::array<console::CsvColumn, count> accepted;
 
@@ -56,10 +56,12 @@ class TargetRows {
     std::optional<double> mass_eff;
     Request request;
     bool solved = false;
+    std::optional<LinearTangential> tangential;
     std::uint64_t taken = 0;  // of the defaults
   };
 
   void require_topics(std::size_t line) const;
+  void add_tangential(Row& row, const Scale& scale) const;
   double number(std::size_t column, std::string_view text, Asked& own) const;
   void stiffness(std::size_t column, std::string_view text, Asked& own) const;
   void numbers(const Row& row, Asked& own) const;
@@ -71,6 +73,7 @@ class TargetRows {
   TargetDefaults defaults_;
   console::CsvColumns columns_;
   bool nothing_by_default_ = false;                                                 // but the velocity
+  bool tangential_ = false;                                                         // a tangential law may be asked for
   std::vector<std::size_t> numeric_;                                                // the file's columns of numbers
   std::vector<std::string> parameters_;                                             // columns of the answer
   std::array<std::array<std::size_t, Laws::most_parameters>, Laws::size> place_{};  // of a law's parameters among them

@@ -63,8 +63,9 @@ class Complaints {
 
 void refuse_what_is_not_for_files(const Options& o) {
   take_only(o, "--targets",
-            flags_of({Topic::scale, Topic::loss, Topic::impact}, {"--targets", "--law", "--end", "--match", "--wall",
-                                                                  "--method", "--threads", "--format", "--output"}));
+            flags_of({Topic::scale, Topic::loss, Topic::impact, Topic::tangential},
+                     {"--targets", "--law", "--end", "--match", "--wall", "--tangential", "--method", "--threads",
+                      "--format", "--output"}));
   if (o.method == "nlopt") throw BadInput("--method", o.method, "direct with --targets");
   if (o.end == "both") throw BadInput("--end", o.end, "overlap or force with --targets: one row out per row in");
   if (o.law == "all") throw BadInput("--law", o.law, "a single law with --targets: one row out per row in");

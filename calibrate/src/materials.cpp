@@ -63,6 +63,16 @@ Bodies middle_bodies(const Materials& m, const Pair& pair) {
   return bodies_of(m, pair, middle(m.all[pair.a]), middle(m.all[pair.b]));
 }
 
+/// Mindlin's k_t is that of the moduli, where both materials have them.
+std::optional<TangentialRequest> tangential_of(const Materials& m, const Pair& pair, double radius_eff) {
+  if (!pair.beta0 && !pair.mu) return std::nullopt;
+  TangentialRequest request{.form = m.tangential, .beta0 = pair.beta0, .mu = pair.mu};
+  const auto &a = m.all[pair.a].solid, &b = m.all[pair.b].solid;
+  if (m.tangential == TangentialForm::mindlin && a && b && !pair.tcol && !pair.stiffness)
+    request.mindlin = mindlin_stiffness(a->young, a->poisson, b->young, b->poisson, radius_eff) / m.soften;
+  return request;
+}
+
 PairOutcome calibrated(const Materials& m, const Pair& pair) {
   const Bodies at = middle_bodies(m, pair);
   const Known known{scale_of(m, pair, at.radius_eff), loss::Restitution{pair.en}, {m.velocity, at.mass_eff}};
@@ -70,7 +80,13 @@ PairOutcome calibrated(const Materials& m, const Pair& pair) {
   if (const auto* missed = std::get_if<Infeasible>(&request)) return PairMissed{pair, *missed};
   const Outcome outcome = calibrate(std::get<Request>(request), {.method = Method::direct});
   if (const auto* missed = std::get_if<Infeasible>(&outcome)) return PairMissed{pair, *missed};
-  return PairResult{pair, std::get<Calibration>(outcome), std::get<Request>(request).target, at.radius_eff};
+  PairResult found{pair, std::get<Calibration>(outcome), std::get<Request>(request).target, at.radius_eff};
+  if (const auto wanted = tangential_of(m, pair, at.radius_eff)) {
+    const auto tangential = calibrate_tangential(*wanted, found.found.law, m.end, found.target);
+    if (const auto* missed = std::get_if<Infeasible>(&tangential)) return PairMissed{pair, *missed};
+    found.tangential = std::get<TangentialCalibration>(tangential);
+  }
+  return found;
 }
 
 /// The steps of one engine over every pair and size; nothing where it does not run them all.

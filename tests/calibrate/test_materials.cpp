@@ -180,3 +180,22 @@ TEST_CASE("what keeps e_n at every size is written where the engine can be given
   for (const SizeChoice& c : size_choices(two, found(two)))
     if (c.engine == "mfix") CHECK(c.refusal.find("one solids phase") != std::string::npos);
 }
+
+TEST_CASE("a pair's beta0 is its tangential spring at its own mass and time; Mindlin's is of both materials' moduli") {
+  Materials m = sizes(kind_of<Tsuji>);
+  m.pairs[1].beta0 = 0.5;
+  m.pairs[1].mu = 0.3;
+  const auto linear = found(m);
+  CHECK_FALSE(linear[0].tangential);
+  const double m_t = 2.0 / 7 * sphere(2e-3), t = linear[1].target.tcol;
+  CHECK(values(linear[1].tangential->law)[0] ==
+        Approx(m_t * (std::pow(std::numbers::pi, 2) + std::pow(std::log(0.5), 2)) / (t * t)).epsilon(1e-12));
+  CHECK(linear[1].tangential->mu == 0.3);
+  m.tangential = TangentialForm::mindlin;
+  m.pairs[1].beta0.reset();
+  const double G1 = 1e7 / 2.6, G2 = 5e7 / 2.4, G = 1 / (1.7 / G1 + 1.8 / G2);
+  CHECK(values(found(m)[1].tangential->law)[0] == Approx(8 * G * std::sqrt(2e-3)).epsilon(1e-12));
+  m.tangential = TangentialForm::linear;
+  m.pairs[1].beta0 = -0.5;
+  CHECK(std::get<PairMissed>(calibrate_pairs(m)[1]).why.quantity == "beta0");
+}

@@ -316,7 +316,7 @@ ends 2 '^verify: --format = xml: must be' 'verify tcol --format xml'
 ends 2 '^simulate: none.json: cannot be read' 'simulate none.json -o out/x'
 ends 2 '^simulate: ' 'simulate source/data/scenes/bounce.json'
 ends 2 '^simulate: out/x/state.json: cannot be read' 'simulate source/data/scenes/bounce.json -o out/x --resume'
-ends 3 '^calibrate: --law fractional --end overlap: en = 0.001: must be in' \
+ends 3 '^calibrate: --en = 0.001: must be in .* with --law fractional --end overlap' \
   'calibrate --tcol 1e-4 --en 0.001 --law fractional --end overlap'
 ends 4 'gnuplot: not found' "PATH=/none $bin/verify figures --figures out"
 ends 4 'gnuplot: not found' "PATH=/none $bin/calibrate --tcol 1e-4 --en 0.5 --report out/page.html"

@@ -73,7 +73,8 @@ struct Infeasible {
   /// What is out of range ("en", "stiffness", "alpha"), its value and the range computed for it; empty: there is none.
   std::string quantity;
   double asked = 0, lowest = 0, highest = 0;
-  bool open = false;  ///< `highest` itself is out of reach
+  bool open = false;      ///< `highest` itself is out of reach
+  bool low_open = false;  ///< and so is `lowest`
 };
 
 using Outcome = std::variant<Calibration, Infeasible>;

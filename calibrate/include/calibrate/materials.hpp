@@ -3,6 +3,7 @@
 #include <calibrate/advice.hpp>
 #include <calibrate/export.hpp>
 #include <calibrate/known.hpp>
+#include <calibrate/tangential.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -30,6 +31,7 @@ struct Pair {
   std::size_t a = 0, b = 0;  ///< places in Materials::all; a wall is never a
   double en = 0;
   std::optional<double> tcol = {}, stiffness = {};  ///< instead of what the materials make [s], [the law's k]
+  std::optional<double> beta0 = {}, mu = {};        ///< in the tangent plane
 };
 
 /// Materials and what is asked of their contacts, all under one law at one impact velocity.
@@ -39,8 +41,9 @@ struct Materials {
   double velocity = 0;  ///< [m/s]
   double soften = 1;    ///< divides E*
   LinearMatch match = LinearMatch::time;
-  std::vector<Material> all = {};  ///< grains before walls
-  std::vector<Pair> pairs = {};    ///< of every two that can meet
+  TangentialForm tangential = TangentialForm::linear;  ///< of pairs that have β₀ or μ
+  std::vector<Material> all = {};                      ///< grains before walls
+  std::vector<Pair> pairs = {};                        ///< of every two that can meet
 };
 
 /// One contact of two bodies of given sizes, and what their law makes of it.
@@ -57,7 +60,8 @@ struct PairResult {
   Pair asked;
   Calibration found;
   Target target;
-  double radius_eff = 0;  ///< at which it was calibrated [m]
+  double radius_eff = 0;                                 ///< at which it was calibrated [m]
+  std::optional<TangentialCalibration> tangential = {};  ///< where the pair asks for one
 };
 
 struct PairMissed {

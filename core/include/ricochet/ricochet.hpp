@@ -44,6 +44,7 @@
 #include <ricochet/motion/engine/column_memory.hpp>
 #include <ricochet/motion/engine/column_run.hpp>
 #include <ricochet/motion/engine/column_step.hpp>
+#include <ricochet/motion/engine/compliant_contact.hpp>
 #include <ricochet/motion/engine/implicit_force.hpp>
 #include <ricochet/motion/engine/memory_slots.hpp>
 #include <ricochet/motion/engine/normal_contacts.hpp>
