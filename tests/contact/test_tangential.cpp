@@ -157,7 +157,9 @@ TEST_CASE("the traction never exceeds its limits, and a law of springs alone is 
     if (s.disc_radius > 0 && s.sliding_limit > 0)
       RC_ASSERT(beyond_the_disc(norm(t.sliding) / s.sliding_limit,
                                 std::abs(t.torsion) / (s.sliding_limit * s.disc_radius)) < 1e-12);
-    if (!step.answer.slides) RC_ASSERT(norm(step.elongation.slide - e.slide - 0.1 * motion.slip) < 1e-14);
+    // A contact without area holds no strain.
+    if (!step.answer.slides && s.sliding.stiffness > 0)
+      RC_ASSERT(norm(step.elongation.slide - e.slide - 0.1 * motion.slip) < 1e-14);
   }));
 }
 
