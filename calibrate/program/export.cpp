@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include <calibrate/export.hpp>
+#include <calibrate/tangential.hpp>
 #include <console/exit.hpp>
 #include <console/json.hpp>
 
@@ -26,22 +27,42 @@ Known between_grains(Known known, const Calibration& found) {
   return known;
 }
 
-/// What the law of two grains is where that of a grain and the wall was found; nothing where there is none.
-std::optional<Calibration> law_between_grains(const Job& job, const Calibration& found) {
+/// A result with its tangential law, where one is asked for.
+struct Found {
+  Calibration normal;
+  std::optional<TangentialPart> tangential = {};
+};
+
+/// Nothing, too, where the friction is not known.
+std::optional<TangentialPart> tangential_of(const Report& report, std::size_t result) {
+  if (report.tangential.empty()) return std::nullopt;
+  const TangentialCalibration& found = report.tangential[result].found;
+  return found.mu ? std::optional(TangentialPart{found.law, *found.mu}) : std::nullopt;
+}
+
+/// What the laws of two grains are where those of a grain and the wall were found; nothing where there are none.
+std::optional<Found> laws_between_grains(const Job& job, const Calibration& found) {
   Job grains = job;
   grains.known = between_grains(job.known, found);
+  if (const auto* moduli = std::get_if<scale::Moduli>(&grains.known.scale);
+      moduli && job.tangential && job.tangential->mindlin)
+    grains.tangential->mindlin = mindlin_stiffness(moduli->first.young, moduli->first.poisson, moduli->second.young,
+                                                   moduli->second.poisson, moduli->radius_eff) /
+                                 moduli->soften;
   grains.wanted = {{LawKind::of(found.law), found.end}};
   grains.left_out.clear();
   const Report report = run(grains, {.method = Method::direct});
-  return report.results.empty() ? std::nullopt : std::optional(report.results.front());
+  if (report.results.empty()) return std::nullopt;
+  return Found{report.results.front(), tangential_of(report, 0)};
 }
 
 /// The contact that was calibrated; with a wall also that of two such grains, which an engine has to know as well:
 /// calibrated the same way at their own effective mass. nullopt where they cannot reach it.
-std::optional<ContactSet> contacts_of(const Report& report, const Calibration& found) {
+std::optional<ContactSet> contacts_of(const Report& report, std::size_t result) {
+  const Calibration& found = report.results[result];
   const Job& job = report.job;
   const Target& target = found.request.target;
-  PairCase asked{0, 0, found.law, target.tcol, target.en, target.impact, job.radius_eff};
+  PairCase asked{0, 0, found.law, target.tcol, target.en, target.impact, job.radius_eff, tangential_of(report, result)};
   ContactSet set{found.end, {{.name = "grain", .density = job.density}}, {}};
   const auto* moduli = std::get_if<scale::Moduli>(&job.known.scale);
   if (moduli) set.kinds.front().poisson = moduli->first.poisson;  // then Young's moduli come out as they were given
@@ -53,10 +74,11 @@ std::optional<ContactSet> contacts_of(const Report& report, const Calibration& f
   set.kinds.push_back({.name = "wall", .wall = true});
   if (moduli) set.kinds.back().poisson = moduli->second.poisson;
   set.pairs.push_back(asked);
-  const auto grains = law_between_grains(job, found);
+  const auto grains = laws_between_grains(job, found);
   if (!grains) return std::nullopt;
-  const Target& theirs = grains->request.target;
-  set.pairs.push_back({0, 0, grains->law, theirs.tcol, theirs.en, theirs.impact, 0.5 * *asked.radius_eff});
+  const Target& theirs = grains->normal.request.target;
+  set.pairs.push_back(
+      {0, 0, grains->normal.law, theirs.tcol, theirs.en, theirs.impact, 0.5 * *asked.radius_eff, grains->tangential});
   set.notes.push_back(
       job.given
           ? "Not asked for, but every engine wants it: two such grains meet by this very law, whose numbers give "
@@ -68,8 +90,8 @@ std::optional<ContactSet> contacts_of(const Report& report, const Calibration& f
 
 std::vector<Snippet> snippets_of(const Report& report, Engine engine) {
   std::vector<Snippet> snippets;
-  for (const Calibration& found : report.results)
-    if (const auto set = contacts_of(report, found)) snippets.push_back(export_contacts(engine, *set));
+  for (std::size_t result = 0; result < report.results.size(); ++result)
+    if (const auto set = contacts_of(report, result)) snippets.push_back(export_contacts(engine, *set));
   return snippets;
 }
 

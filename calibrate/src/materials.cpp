@@ -159,6 +159,8 @@ ContactSet contact_set(const Materials& materials, const std::vector<PairResult>
   }
   for (const PairResult& p : pairs) {
     set.pairs.push_back({p.asked.a, p.asked.b, p.found.law, p.target.tcol, p.target.en, p.target.impact, p.radius_eff});
+    if (p.tangential && p.tangential->mu)
+      set.pairs.back().tangential = TangentialPart{p.tangential->law, *p.tangential->mu};
     for (const SizedContact& s : over_sizes(materials, p, kept))
       set.other_sizes.push_back(
           {p.asked.a, p.asked.b, s.law, s.collision.tcol, s.collision.en, s.impact, s.radius_eff});
