@@ -89,6 +89,7 @@ void add_scan(StudyResult& result, const Scan& s) {
                                     {"failed", s.failed},
                                     {"most_gained", s.most_gained},
                                     {"worst_balance", s.worst_balance},
+                                    {"most_negative", s.most_negative},
                                     {"greatest_share_of_friction_limit", s.worst_limit}};
 }
 

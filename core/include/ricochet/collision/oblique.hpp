@@ -43,7 +43,8 @@ enum class ContactArm {
 struct ObliqueOptions {
   ContactEnd end = ContactEnd::force;  ///< of the normal motion; tangential forces end with the repulsion in any case
   ContactArm arm = ContactArm::radius;
-  /// Evaluations of the tangential motion, and of the force along the normal (see CollideOptions).
+  /// Evaluations of the tangential motion, and of the force along the normal (see CollideOptions). A few thousand do,
+  /// but for 9 k_t t_col/c_t where a weak dashpot lets a sliding spring relax far faster than the collision lasts.
   std::size_t max_evaluations = 1'000'000;
 };
 
