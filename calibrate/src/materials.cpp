@@ -157,10 +157,12 @@ ContactSet contact_set(const Materials& materials, const std::vector<PairResult>
     if (m.solid) kind.poisson = m.solid->poisson;
     set.kinds.push_back(kind);
   }
+  // An engine's file has friction in every pair or in none.
+  const bool rubs =
+      std::all_of(pairs.begin(), pairs.end(), [](const PairResult& p) { return p.tangential && p.tangential->mu; });
   for (const PairResult& p : pairs) {
     set.pairs.push_back({p.asked.a, p.asked.b, p.found.law, p.target.tcol, p.target.en, p.target.impact, p.radius_eff});
-    if (p.tangential && p.tangential->mu)
-      set.pairs.back().tangential = TangentialPart{p.tangential->law, *p.tangential->mu};
+    if (rubs) set.pairs.back().tangential = TangentialPart{p.tangential->law, p.tangential->mu.value()};
     for (const SizedContact& s : over_sizes(materials, p, kept))
       set.other_sizes.push_back(
           {p.asked.a, p.asked.b, s.law, s.collision.tcol, s.collision.en, s.impact, s.radius_eff});
@@ -192,10 +194,12 @@ std::vector<SizeChoice> size_choices(LawKind law) {
 
 namespace {
 
-/// What is written for the pairs in that engine.
+/// What is written for the pairs in that engine along the normal.
 Snippet written(std::string_view engine, const Materials& materials, const std::vector<PairResult>& pairs, Kept kept) {
   const Engine known = engine_named(engine == "liggghts-ricochet" ? "liggghts" : engine).value();
-  return export_contacts(known, contact_set(materials, pairs, kept));
+  ContactSet set = contact_set(materials, pairs, kept);
+  for (PairCase& pair : set.pairs) pair.tangential.reset();
+  return export_contacts(known, set);
 }
 
 }  // namespace
