@@ -194,6 +194,19 @@ TEST_CASE("rigid friction takes the smaller of sliding and sticking, the three-p
     });
 }
 
+TEST_CASE("rolling resistance that nothing overcomes keeps a sphere from turning") {
+  // Then u = V: sliding takes all of it, or μ(1+e_n)v_n, and the spin stays.
+  for (const double degrees : {5.0, 80.0}) {
+    TangentialContact contact{RigidTangential{}, measured};
+    contact.rolling.mu = 100;
+    const ObliqueImpact impact = at_angle(degrees);
+    const auto out = collide(Linear(1.72e7, 0), contact, impact);
+    const double most = 2 * 0.092 * impact.i.velocity.z;
+    CHECK(out.velocity_i.x == Approx(std::max(0.0, impact.i.velocity.x - most)).margin(1e-9));
+    CHECK(std::abs(out.spin_i.y) * radius < 1e-9);
+  }
+}
+
 TEST_CASE("rigid friction stops the slip when its impulse has been passed, which the closed form dates") {
   // ζ' = v cos wt: the impulse m v (1 − cos wt) μ reaches (2/7) m u at cos wt = 1 − 2u/(7μv).
   const ObliqueImpact impact = at_angle(15);
