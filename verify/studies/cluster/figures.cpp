@@ -92,7 +92,7 @@ console::SeriesFile local_spins(const Run& strong, const Run& weak) {
 
 /// One component: where it is drawn from, its colour and name.
 struct Component {
-  const char* name;
+  const char* name = "";
   int column = 0, colour = 0;
 };
 

@@ -46,8 +46,8 @@ std::optional<std::string> beside_us(const std::string& program) {
 /// of steps. A wall stands at 0 where a meets it, and out of reach otherwise. Two grains are beside each other in the
 /// middle of the contact.
 struct Start {
-  double x[2], v[2];
-  long steps;
+  double x[2]{}, v[2]{};
+  long steps = 0;
   double y[2]{}, w[2]{};
 };
 
