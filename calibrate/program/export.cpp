@@ -26,23 +26,42 @@ Known between_grains(Known known, const Calibration& found) {
   return known;
 }
 
+/// Mindlin's k_t of two grains over that of a grain and the wall: G* by their moduli, R* the half.
+double between_over_wall(const Job& wall, const Job& grains) {
+  const auto stiffness = [](const Job& job) {
+    const auto& m = std::get<scale::Moduli>(job.known.scale);
+    return mindlin_stiffness(m.first.young, m.first.poisson, m.second.young, m.second.poisson, m.radius_eff);
+  };
+  return stiffness(grains) / stiffness(wall);
+}
+
 /// What the law of two grains is where that of a grain and the wall was found; nothing where there is none.
-std::optional<Calibration> law_between_grains(const Job& job, const Calibration& found) {
+std::optional<Report> law_between_grains(const Job& job, const Calibration& found) {
   Job grains = job;
   grains.known = between_grains(job.known, found);
   grains.wanted = {{LawKind::of(found.law), found.end}};
   grains.left_out.clear();
-  const Report report = run(grains, {.method = Method::direct});
-  return report.results.empty() ? std::nullopt : std::optional(report.results.front());
+  if (grains.tangential && grains.tangential->mindlin) *grains.tangential->mindlin *= between_over_wall(job, grains);
+  Report report = run(grains, {.method = Method::direct});
+  return report.results.empty() ? std::nullopt : std::optional(std::move(report));
+}
+
+/// What an engine is told of the contact in its tangent plane.
+std::optional<TangentialPart> part_of(const Report& report, std::size_t result) {
+  if (report.tangential.empty()) return std::nullopt;
+  const TangentialCalibration& t = report.tangential[result].found;
+  return TangentialPart{t.law, t.mu.value()};
 }
 
 /// The contact that was calibrated; with a wall also that of two such grains, which an engine has to know as well:
 /// calibrated the same way at their own effective mass. nullopt where they cannot reach it.
-std::optional<ContactSet> contacts_of(const Report& report, const Calibration& found) {
+std::optional<ContactSet> contacts_of(const Report& report, std::size_t result) {
   const Job& job = report.job;
+  const Calibration& found = report.results[result];
   const Target& target = found.request.target;
   PairCase asked{0, 0, found.law, target.tcol, target.en, target.impact, job.radius_eff};
   ContactSet set{found.end, {{.name = "grain", .density = job.density}}, {}};
+  asked.tangential = part_of(report, result);
   const auto* moduli = std::get_if<scale::Moduli>(&job.known.scale);
   if (moduli) set.kinds.front().poisson = moduli->first.poisson;  // then Young's moduli come out as they were given
   if (!job.wall) {
@@ -55,8 +74,10 @@ std::optional<ContactSet> contacts_of(const Report& report, const Calibration& f
   set.pairs.push_back(asked);
   const auto grains = law_between_grains(job, found);
   if (!grains) return std::nullopt;
-  const Target& theirs = grains->request.target;
-  set.pairs.push_back({0, 0, grains->law, theirs.tcol, theirs.en, theirs.impact, 0.5 * *asked.radius_eff});
+  const Calibration& between = grains->results.front();
+  const Target& theirs = between.request.target;
+  set.pairs.push_back(
+      {0, 0, between.law, theirs.tcol, theirs.en, theirs.impact, 0.5 * *asked.radius_eff, part_of(*grains, 0)});
   set.notes.push_back(
       job.given
           ? "Not asked for, but every engine wants it: two such grains meet by this very law, whose numbers give "
@@ -68,8 +89,8 @@ std::optional<ContactSet> contacts_of(const Report& report, const Calibration& f
 
 std::vector<Snippet> snippets_of(const Report& report, Engine engine) {
   std::vector<Snippet> snippets;
-  for (const Calibration& found : report.results)
-    if (const auto set = contacts_of(report, found)) snippets.push_back(export_contacts(engine, *set));
+  for (std::size_t i = 0; i < report.results.size(); ++i)
+    if (const auto set = contacts_of(report, i)) snippets.push_back(export_contacts(engine, *set));
   return snippets;
 }
 

@@ -1,6 +1,7 @@
 #include "curve.hpp"
 #include "fit_report.hpp"
 #include "materials.hpp"
+#include "oblique_fit_run.hpp"
 #include "report.hpp"
 #include "targets.hpp"
 
@@ -57,7 +58,7 @@ console::Exit work(Options& options) {
   if (options.curve && !(options.fit.empty() && options.targets.empty()))
     throw console::BadInput(fmt::format("{}: must be one number with {}", options.curve->flag,
                                         options.fit.empty() ? "--targets" : "--fit"));
-  if (!options.fit.empty()) return run_fit(options);
+  if (!options.fit.empty()) return is_oblique(options.fit) ? run_oblique_fit(options) : run_fit(options);
   if (options.alpha_of_speed || !options.figures.empty())
     throw console::BadInput("--alpha-of-speed and --figures: must be left out without --fit");
   if (!options.targets.empty()) return run_targets(options);
@@ -67,8 +68,9 @@ console::Exit work(Options& options) {
   options.settings.method = options.method == "direct" ? Method::direct : Method::nlopt;
   if (options.curve) return draw_curve(options);
   const Job job = job_of(options);
-  if (job.tangential && !options.engine.empty())
-    throw console::BadInput("--export: must be left out with --beta0, --mu and --tangential");
+  if (job.tangential && !job.tangential->mu && !(options.engine.empty() && options.page.empty()))
+    throw console::BadInput(
+        "--mu: missing: must be given with --beta0 and --export or --report, which an engine wants");
   const Report report = run(job, options.settings);
   // Both are whole before either takes its place.
   std::optional<console::AtomicFile> page;
