@@ -31,8 +31,8 @@ struct Liggghts {
       text +=
           "A variable that is set before keeps its value: set ricochet_wall as you need it, also to mesh n_meshes "
           "1 meshes NAME. ";
-    text += "Needs atom_style granular, newton off and communicate single vel yes. ";
-    return text + (frictional(set) ? "" : "tangential off has no friction; put your model in its place.");
+    text += "Needs atom_style granular, newton off and communicate single vel yes.";
+    return text + (frictional(set) ? "" : " tangential off has no friction; put your model in its place.");
   }
 
   /// A model's words with its tangential part.

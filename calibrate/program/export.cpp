@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include <calibrate/export.hpp>
+#include <calibrate/tangential.hpp>
 #include <console/exit.hpp>
 #include <console/json.hpp>
 
@@ -26,42 +27,43 @@ Known between_grains(Known known, const Calibration& found) {
   return known;
 }
 
-/// Mindlin's k_t of two grains over that of a grain and the wall: G* by their moduli, R* the half.
-double between_over_wall(const Job& wall, const Job& grains) {
-  const auto stiffness = [](const Job& job) {
-    const auto& m = std::get<scale::Moduli>(job.known.scale);
-    return mindlin_stiffness(m.first.young, m.first.poisson, m.second.young, m.second.poisson, m.radius_eff);
-  };
-  return stiffness(grains) / stiffness(wall);
+/// A result with its tangential law, where one is asked for.
+struct Found {
+  Calibration normal;
+  std::optional<TangentialPart> tangential = {};
+};
+
+/// Nothing, too, where the friction is not known.
+std::optional<TangentialPart> tangential_of(const Report& report, std::size_t result) {
+  if (report.tangential.empty()) return std::nullopt;
+  const TangentialCalibration& found = report.tangential[result].found;
+  return found.mu ? std::optional(TangentialPart{found.law, *found.mu}) : std::nullopt;
 }
 
-/// What the law of two grains is where that of a grain and the wall was found; nothing where there is none.
-std::optional<Report> law_between_grains(const Job& job, const Calibration& found) {
+/// What the laws of two grains are where those of a grain and the wall were found; nothing where there are none.
+std::optional<Found> laws_between_grains(const Job& job, const Calibration& found) {
   Job grains = job;
   grains.known = between_grains(job.known, found);
+  if (const auto* moduli = std::get_if<scale::Moduli>(&grains.known.scale);
+      moduli && job.tangential && job.tangential->mindlin)
+    grains.tangential->mindlin = mindlin_stiffness(moduli->first.young, moduli->first.poisson, moduli->second.young,
+                                                   moduli->second.poisson, moduli->radius_eff) /
+                                 moduli->soften;
   grains.wanted = {{LawKind::of(found.law), found.end}};
   grains.left_out.clear();
-  if (grains.tangential && grains.tangential->mindlin) *grains.tangential->mindlin *= between_over_wall(job, grains);
-  Report report = run(grains, {.method = Method::direct});
-  return report.results.empty() ? std::nullopt : std::optional(std::move(report));
-}
-
-/// What an engine is told of the contact in its tangent plane.
-std::optional<TangentialPart> part_of(const Report& report, std::size_t result) {
-  if (report.tangential.empty()) return std::nullopt;
-  const TangentialCalibration& t = report.tangential[result].found;
-  return TangentialPart{t.law, t.mu.value()};
+  const Report report = run(grains, {.method = Method::direct});
+  if (report.results.empty()) return std::nullopt;
+  return Found{report.results.front(), tangential_of(report, 0)};
 }
 
 /// The contact that was calibrated; with a wall also that of two such grains, which an engine has to know as well:
 /// calibrated the same way at their own effective mass. nullopt where they cannot reach it.
 std::optional<ContactSet> contacts_of(const Report& report, std::size_t result) {
-  const Job& job = report.job;
   const Calibration& found = report.results[result];
+  const Job& job = report.job;
   const Target& target = found.request.target;
-  PairCase asked{0, 0, found.law, target.tcol, target.en, target.impact, job.radius_eff};
+  PairCase asked{0, 0, found.law, target.tcol, target.en, target.impact, job.radius_eff, tangential_of(report, result)};
   ContactSet set{found.end, {{.name = "grain", .density = job.density}}, {}};
-  asked.tangential = part_of(report, result);
   const auto* moduli = std::get_if<scale::Moduli>(&job.known.scale);
   if (moduli) set.kinds.front().poisson = moduli->first.poisson;  // then Young's moduli come out as they were given
   if (!job.wall) {
@@ -72,12 +74,11 @@ std::optional<ContactSet> contacts_of(const Report& report, std::size_t result) 
   set.kinds.push_back({.name = "wall", .wall = true});
   if (moduli) set.kinds.back().poisson = moduli->second.poisson;
   set.pairs.push_back(asked);
-  const auto grains = law_between_grains(job, found);
+  const auto grains = laws_between_grains(job, found);
   if (!grains) return std::nullopt;
-  const Calibration& between = grains->results.front();
-  const Target& theirs = between.request.target;
+  const Target& theirs = grains->normal.request.target;
   set.pairs.push_back(
-      {0, 0, between.law, theirs.tcol, theirs.en, theirs.impact, 0.5 * *asked.radius_eff, part_of(*grains, 0)});
+      {0, 0, grains->normal.law, theirs.tcol, theirs.en, theirs.impact, 0.5 * *asked.radius_eff, grains->tangential});
   set.notes.push_back(
       job.given
           ? "Not asked for, but every engine wants it: two such grains meet by this very law, whose numbers give "
@@ -89,8 +90,8 @@ std::optional<ContactSet> contacts_of(const Report& report, std::size_t result) 
 
 std::vector<Snippet> snippets_of(const Report& report, Engine engine) {
   std::vector<Snippet> snippets;
-  for (std::size_t i = 0; i < report.results.size(); ++i)
-    if (const auto set = contacts_of(report, i)) snippets.push_back(export_contacts(engine, *set));
+  for (std::size_t result = 0; result < report.results.size(); ++result)
+    if (const auto set = contacts_of(report, result)) snippets.push_back(export_contacts(engine, *set));
   return snippets;
 }
 

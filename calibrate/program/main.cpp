@@ -68,9 +68,8 @@ console::Exit work(Options& options) {
   options.settings.method = options.method == "direct" ? Method::direct : Method::nlopt;
   if (options.curve) return draw_curve(options);
   const Job job = job_of(options);
-  if (job.tangential && !job.tangential->mu && !(options.engine.empty() && options.page.empty()))
-    throw console::BadInput(
-        "--mu: missing: must be given with --beta0 and --export or --report, which an engine wants");
+  if (job.tangential && !job.tangential->mu && !options.engine.empty())
+    throw console::BadInput("--mu: missing: must be given, a coefficient of friction, with --export and --beta0");
   const Report report = run(job, options.settings);
   // Both are whole before either takes its place.
   std::optional<console::AtomicFile> page;

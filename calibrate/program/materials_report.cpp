@@ -274,6 +274,17 @@ std::string rendered(const Answer& all, console::Format format) {
   return console::render_all(tables_of(all), format);
 }
 
+/// An engine's file has friction in every pair or in none.
+void require_friction(const std::string& file, const Answer& all) {
+  const auto rubs = [](const PairResult& p) { return p.tangential && p.tangential->mu; };
+  for (const PairResult& p : all.found)
+    if (rubs(p) != rubs(all.found.front()) || (p.tangential && !p.tangential->mu))
+      throw console::BadInput(
+          fmt::format("{}: pair {}: \"mu\" and the tangential part must be given of every pair or of "
+                      "none with --export",
+                      file, all.between(p.asked)));
+}
+
 }  // namespace
 
 console::Exit run_materials(const Options& options) {
@@ -283,6 +294,7 @@ console::Exit run_materials(const Options& options) {
   const Answer all = answer(options.materials, std::move(materials));
   console::Output output(options.output.file);
   if (engine && all.missed.empty()) {
+    require_friction(options.materials, all);
     const Snippet snippet =
         export_contacts(*engine, contact_set(all.materials, all.found, kept_by(options.engine, all.materials.law)));
     output.write(exported({snippet}, *engine, options.output.format));

@@ -158,14 +158,12 @@ ContactSet contact_set(const Materials& materials, const std::vector<PairResult>
     set.kinds.push_back(kind);
   }
   for (const PairResult& p : pairs) {
-    const auto part = p.tangential && p.tangential->mu
-                          ? std::optional(TangentialPart{p.tangential->law, *p.tangential->mu})
-                          : std::nullopt;
-    set.pairs.push_back(
-        {p.asked.a, p.asked.b, p.found.law, p.target.tcol, p.target.en, p.target.impact, p.radius_eff, part});
+    set.pairs.push_back({p.asked.a, p.asked.b, p.found.law, p.target.tcol, p.target.en, p.target.impact, p.radius_eff});
+    if (p.tangential && p.tangential->mu)
+      set.pairs.back().tangential = TangentialPart{p.tangential->law, *p.tangential->mu};
     for (const SizedContact& s : over_sizes(materials, p, kept))
       set.other_sizes.push_back(
-          {p.asked.a, p.asked.b, s.law, s.collision.tcol, s.collision.en, s.impact, s.radius_eff, part});
+          {p.asked.a, p.asked.b, s.law, s.collision.tcol, s.collision.en, s.impact, s.radius_eff});
   }
   return set;
 }

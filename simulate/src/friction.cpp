@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
-#include <vector>
 
 namespace ricochet::simulate {
 namespace {
@@ -113,9 +113,13 @@ void set_tangential(const TangentialAsked& asked, const AnyLaw& normal, const Pa
   } catch (const std::invalid_argument& misuse) {
     asked.place.complain(misuse.what());
   }
+  if (!asked.torsion && !asked.rolls) return;
   const Spring slide = spring(own.tangential, overlap);
   const double turning = pair.inertia / (tangential_mass_ratio * pair.mass);
   const Spring turn{turning * slide.stiffness, turning * slide.damping};
+  if (!(std::isfinite(turn.stiffness) && std::isfinite(turn.damping)))
+    asked.place.complain(fmt::format("no double carries these springs for bodies of effective mass {} kg",
+                                     console::significant(pair.mass, 3)));
   if (asked.torsion) own.torsion = {Torsion::Limit::disc, turn};
   if (asked.rolls) own.rolling = {asked.mu_rolling, turn};
 }

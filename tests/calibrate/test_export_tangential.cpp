@@ -75,6 +75,9 @@ TEST_CASE("LIGGGHTS: kt, gammat_abs and coefficientFriction, or the moduli that 
         Approx(mindlin.spring(overlap).stiffness).epsilon(1e-12));
   CHECK(after(hertz, "poissonsRatio peratomtype ") == Approx(0).margin(1e-12));
   CHECK(hertz.fidelity == Fidelity::close);
+  // ν = 0.1, k_t/k = 3 (1−ν)/(2−ν).
+  CHECK(after(export_law(Engine::liggghts, with(tsuji, MindlinTangential(3 * 0.9 / 1.9 * 1.3e6))),
+              "poissonsRatio peratomtype ") == Approx(0.1).epsilon(1e-12));
   // k_t/k = 6 G*/E* of one material lies between 1 (ν = 1/2) and 2 (ν = −1).
   for (const double ratio : {0.99, 2.01})
     CHECK(export_law(Engine::liggghts, with(tsuji, MindlinTangential(ratio * 1.3e6))).fidelity == Fidelity::absent);

@@ -38,6 +38,81 @@ TEST_CASE("the centre's restitution and spin of a sphere on a wall are those of 
 
 namespace {
 
+/// Linear springs along and across the normal, without loss, on a wall: every phase in closed form, one after another.
+/// ζ = (v/w) sin wt; slide: q = ±μR, m_t u' = −q; stick: u, q of an oscillator with W² = k_t/m_t.
+class ClosedPhases {
+ public:
+  ClosedPhases(const ObliqueImpact& impact, double k, double k_t, double mu)
+      : k_t_(k_t),
+        m_t_(2.0 / 7 * impact.i.mass),
+        w_(std::sqrt(k / impact.i.mass)),
+        grip_(mu * impact.i.mass * w_ * impact.i.velocity.z),
+        u_(impact.i.velocity.x + radius * impact.i.spin.y) {}
+
+  /// u at the end.
+  double run() {
+    bool sticks = k_t_ * u_ < grip_ * w_;  // the spring's force and the limit grow from 0 together
+    const double end = std::numbers::pi / w_;
+    while (time_ < end) {
+      sign_ = sticks ? 0 : q_ < 0 || (q_ == 0 && u_ < 0) ? -1 : 1;
+      const double next = first_event(end);
+      const State then = at(next);
+      u_ = then.u, q_ = then.q, time_ = next;
+      sticks = !sticks;
+    }
+    return u_;
+  }
+
+ private:
+  struct State {
+    double u, q;
+  };
+  double limit(double t) const { return grip_ * std::sin(w_ * t); }
+
+  State at(double t) const {
+    if (sign_ != 0)
+      return {u_ - sign_ * grip_ / (w_ * m_t_) * (std::cos(w_ * time_) - std::cos(w_ * t)), sign_ * limit(t)};
+    const double W = std::sqrt(k_t_ / m_t_), angle = W * (t - time_), c = std::cos(angle), s = std::sin(angle);
+    return {u_ * c - q_ / (m_t_ * W) * s, q_ * c + u_ * m_t_ * W * s};
+  }
+  /// > 0 while the phase holds: the slider's speed, or what is left to the limit.
+  double margin(double t) const {
+    const State s = at(t);
+    return sign_ != 0 ? sign_ * s.u - grip_ * w_ * std::cos(w_ * t) / k_t_ : limit(t) - std::abs(s.q);
+  }
+  double first_event(double end) const {
+    constexpr int parts = 20000;
+    const double h = (end - time_) / parts;
+    for (int n = 1; n < parts; ++n) {
+      double low = time_ + n * h, high = low + h;
+      if (!(margin(low) > 0 && margin(high) <= 0)) continue;
+      for (int halving = 0; halving < 60; ++halving) (margin(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
+      return low;
+    }
+    return end;
+  }
+
+  double k_t_, m_t_, w_, grip_, u_, q_ = 0, time_ = 0;
+  int sign_ = 0;  // of sliding; 0: sticks
+};
+
+}  // namespace
+
+TEST_CASE("sticking and sliding in turn is what the closed forms of its phases give") {
+  for (const double degrees : {0.5, 2.5, 5.0, 7.5, 10.0, 15.0, 20.0, 25.0, 29.0, 35.0})
+    for (const double spin : {0.0, -200.0}) {
+      const ObliqueImpact impact = at_angle(degrees, {0, spin, 0});
+      if (impact.i.velocity.x + radius * spin <= 0) continue;
+      const auto out = collide(Linear(1.72e7, 0), {engine_spring, measured}, impact);
+      const double slip = ClosedPhases(impact, 1.72e7, 1.48e7, 0.092).run();
+      CAPTURE(degrees, spin);
+      CHECK(out.velocity_i.x + radius * out.spin_i.y ==
+            Approx(slip).margin(1e-9 * (impact.i.velocity.x + radius * std::abs(spin))));
+    }
+}
+
+namespace {
+
 /// What friction at its limit throughout makes of an impact with a spin of 100 1/s.
 void check_slides_throughout(const ObliqueImpact& impact, const ObliqueCollision& out) {
   REQUIRE(out.separated());
@@ -117,6 +192,19 @@ TEST_CASE("rigid friction takes the smaller of sliding and sticking, the three-p
       CHECK(impact.i.velocity.x - out.velocity_i.x == Approx(std::min(slides, sticks)).epsilon(1e-9));
       CHECK(out.switches == (sticks < slides ? 1 : 0));
     });
+}
+
+TEST_CASE("rolling resistance that nothing overcomes keeps a sphere from turning") {
+  // Then u = V: sliding takes all of it, or μ(1+e_n)v_n, and the spin stays.
+  for (const double degrees : {5.0, 80.0}) {
+    TangentialContact contact{RigidTangential{}, measured};
+    contact.rolling.mu = 100;
+    const ObliqueImpact impact = at_angle(degrees);
+    const auto out = collide(Linear(1.72e7, 0), contact, impact);
+    const double most = 2 * 0.092 * impact.i.velocity.z;
+    CHECK(out.velocity_i.x == Approx(std::max(0.0, impact.i.velocity.x - most)).margin(1e-9));
+    CHECK(std::abs(out.spin_i.y) * radius < 1e-9);
+  }
 }
 
 TEST_CASE("rigid friction stops the slip when its impulse has been passed, which the closed form dates") {
@@ -227,9 +315,9 @@ TEST_CASE("bodies and laws outside their domains are refused by name") {
   CHECK(message({.i = {1, 0, {0, 0, 1}, {}}}, contact) == "radius = 0: must be finite and > 0");
   CHECK(message({.i = {1, 1, {0, 0, 1}, {}, 0.7}}, contact) == "inertia_ratio = 0.7: must be > 0 and <= 2/3");
   CHECK(message({.i = sphere({NAN, 0, 1})}, contact) == "velocity = nan: must be finite");
-  TangentialContact disc = contact;
-  disc.torsion = {Torsion::Limit::disc, {1, 0}};
-  CHECK(message(at_angle(10), disc).substr(0, 20) == "torsion.limit = disc");
+  TangentialContact loose = contact;
+  loose.torsion = {Torsion::Limit::disc};
+  CHECK(message(at_angle(10), loose).substr(0, 21) == "torsion stiffness = 0");
 }
 
 TEST_CASE("what is no separation along the normal is none obliquely") {
@@ -239,4 +327,89 @@ TEST_CASE("what is no separation along the normal is none obliquely") {
   CHECK_FALSE(stays.separated());
   CHECK(collide(Linear(1.72e7, 0), contact, at_angle(10), {.max_evaluations = 50}).status ==
         CollisionStatus::budget_spent);
+}
+
+TEST_CASE("a damping so small that the force is back past the overlap's end within a step hides no end") {
+  // y² + γ w > 0 again for y < 0: the last root lies 2√γ or so apart.
+  for (const double c : {1e-12, 1e-9, 1e-6, 1e-5, 1.08775e-4, 3.26521e-4, 1e-3}) {
+    const auto out = collide(Linear(1, c), {LinearTangential(1), measured}, {.i = {1, 10, {0.3, 0, 0.1}, {}}});
+    CAPTURE(c);
+    CHECK(out.separated());
+    CHECK(out.impulse_ratio > 0.05);
+  }
+}
+
+namespace {
+
+/// A rigid disc that slides and spins under R = kζ, ζ = (v/w) sin wt, by steps of `friction_impulse`, of order 2.
+struct StepwiseDisc {
+  Vec3 slip;
+  double spin = 0;
+};
+StepwiseDisc disc_by_steps(const ObliqueImpact& impact, double k, int steps) {
+  const ImpactBody& b = impact.i;
+  const double w = std::sqrt(k / b.mass), h = std::numbers::pi / w / steps, v = b.velocity.z;
+  const double turns = 1 / inertia(b);
+  FrictionProblem p;
+  p.mobility = {3.5 / b.mass, radius * turns, turns};
+  SlipMotion motion{{b.velocity.x + radius * b.spin.y, b.velocity.y - radius * b.spin.x, 0}, b.spin.z, {}};
+  for (int n = 0; n < steps; ++n) {
+    p.normal_impulse = b.mass * v * (std::cos(w * h * n) - std::cos(w * h * (n + 1)));
+    const double overlap = v / w * std::sin(w * h * (n + 0.5));
+    p.contact_radius = std::sqrt(overlap * (2 * radius - overlap));
+    p.before = p.free = motion;
+    const FrictionSolution s = friction_impulse(measured, p, {});
+    motion.slip += p.mobility.slip * s.impulse.sliding;
+    motion.spin += turns * s.impulse.torsion;
+  }
+  return {motion.slip, motion.spin};
+}
+
+}  // namespace
+
+TEST_CASE("a rigid disc that slides and spins is what steps of its friction tend to") {
+  TangentialContact contact{RigidTangential{}, measured};
+  contact.torsion.limit = Torsion::Limit::disc;
+  for (const double degrees : {4.0, 60.0})
+    for (const double spin : {300.0, 3000.0}) {
+      const ObliqueImpact impact = at_angle(degrees, {50, 80, spin});
+      const auto out = collide(Linear(1.72e7, 0), contact, impact);
+      const auto coarse = disc_by_steps(impact, 1.72e7, 4000), fine = disc_by_steps(impact, 1.72e7, 8000);
+      const Vec3 slip = out.velocity_i + radius * cross(out.spin_i, Vec3{0, 0, 1});
+      CAPTURE(degrees, spin);
+      CHECK(slip.x == Approx(fine.slip.x + (fine.slip.x - coarse.slip.x) / 3).margin(1e-6));
+      CHECK(slip.y == Approx(fine.slip.y + (fine.slip.y - coarse.slip.y) / 3).margin(1e-6));
+      CHECK(out.spin_i.z == Approx(fine.spin + (fine.spin - coarse.spin) / 3).epsilon(1e-7));
+      CHECK(out.lost.torsion > 0);
+    }
+}
+
+TEST_CASE("springs that share the disc's limit slide as the rigid disc does, the nearer the stiffer they are") {
+  const ObliqueImpact impact = at_angle(60, {0, 0, 3000});
+  TangentialContact rigid{RigidTangential{}, measured};
+  rigid.torsion.limit = Torsion::Limit::disc;
+  const auto limit = collide(Linear(1.72e7, 0), rigid, impact);
+  const auto off = [&](double k) {
+    TangentialContact contact{LinearTangential(k), measured};
+    contact.torsion = {Torsion::Limit::disc, {k * 1e-9, 0}};
+    const auto out = collide(Linear(1.72e7, 0), contact, impact);
+    CHECK(std::abs(energy(impact) - energy(after(impact, out)) - out.lost.sum()) < 1e-6 * energy(impact));
+    return std::abs(out.spin_i.z - limit.spin_i.z);
+  };
+  const double soft = off(1.48e8), stiff = off(1.48e10);
+  CHECK(soft < 30);
+  CHECK(stiff < 0.1 * soft);
+}
+
+TEST_CASE("a spin too small to matter leaves a shared limit to the sliding") {
+  for (const double degrees : {5.0, 20.0, 40.0}) {
+    TangentialContact contact{MindlinTangential(4e9, 5), measured};
+    const auto alone = collide(Tsuji(4e9, 150), contact, at_angle(degrees));
+    contact.torsion = {Torsion::Limit::disc, {0.01, 0}};
+    const auto shared = collide(Tsuji(4e9, 150), contact, at_angle(degrees, {0, 0, 1e-9}));
+    CAPTURE(degrees);
+    CHECK(*shared.et == Approx(*alone.et).epsilon(1e-6));
+    CHECK(*shared.beta == Approx(*alone.beta).margin(1e-6));
+    CHECK(shared.lost.sum() == Approx(alone.lost.sum()).margin(1e-6 * energy(at_angle(degrees))));
+  }
 }

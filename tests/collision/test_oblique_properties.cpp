@@ -44,6 +44,7 @@ TangentialContact any_tangential() {
   contact.friction = Friction(mu, mu * *rc::gen::element(0.3, 1.0), *within(0, 1), *rc::gen::element(0.0, 0.5));
   if (*rc::gen::arbitrary<bool>())
     contact.torsion = {Torsion::Limit::separate, {*decades(-2, 0), *rc::gen::element(0.0, 0.01)}};
+  if (!compliant(contact.law) && *rc::gen::arbitrary<bool>()) contact.torsion.limit = Torsion::Limit::disc;
   contact.rolling = {*rc::gen::element(0.0, 0.05), {*decades(-2, 0), *rc::gen::element(0.0, 0.01)}};
   return contact;
 }

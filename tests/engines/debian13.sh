@@ -7,6 +7,7 @@
 # none the test is skipped (exit code 77) and says so.
 set -euo pipefail
 system=${RICOCHET_DEBIAN13:-/var/tmp/ricochet-debian-13}
+mirror=${RICOCHET_MIRROR:-http://deb.debian.org/debian}
 
 skip() {
   echo "SKIPPED: $*"
@@ -14,14 +15,17 @@ skip() {
 }
 
 if [[ ${1:-} == --make ]]; then
-  command -v debootstrap >/dev/null || { echo "debian13.sh: debootstrap is missing: apt-get install debootstrap" >&2 && exit 4; }
-  exec debootstrap --variant=minbase --include=lammps trixie "$system" "${RICOCHET_MIRROR:-http://deb.debian.org/debian}"
+  if ! command -v debootstrap >/dev/null; then
+    echo "debian13.sh: debootstrap is missing: apt-get install debootstrap" >&2
+    exit 4
+  fi
+  exec debootstrap --variant=minbase --include=lammps trixie "$system" "$mirror"
 fi
 verify=$(realpath "$1")
 [[ -x $system/usr/bin/lmp ]] || skip "no LAMMPS of Debian 13 in $system; tests/engines/debian13.sh --make makes it"
 ((EUID == 0)) || skip "only root can enter the system in $system"
 said=$(chroot "$system" lmp -h 2>/dev/null || true)
-[[ $said == *"4 Feb 2025"* ]] || skip "$system/usr/bin/lmp does not run, or is of another version"
+[[ $said == *"4 Feb 2025"* ]] || skip "$system/usr/bin/lmp does not run here, or is of another version"
 
 programs=$(mktemp -d) scratch=$(mktemp -d "$system/tmp/ricochet.XXXXXX")
 trap 'rm -rf "$programs" "$scratch"' EXIT

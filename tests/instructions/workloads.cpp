@@ -129,8 +129,11 @@ void columns() {
 }
 
 void clusters() {
-  const auto packed = [](const std::string& name, const AnyLaw& law, const Friction& friction) {
-    Cluster cluster(workloads::packing(5, 4, law, friction), workloads::packing_options());
+  const auto packed = [](const std::string& name, const AnyLaw& law, const Friction& friction,
+                         const TangentialLaw& tangential = RigidTangential{}) {
+    ClusterSetup setup = workloads::packing(5, 4, law, friction);
+    setup.interactions.at({0, 0}).tangential = tangential;
+    Cluster cluster(setup, workloads::packing_options());
     cluster.advance(100);
     constexpr std::size_t steps = 20;
     // The number of contacts may change by one or two meanwhile.
@@ -140,6 +143,7 @@ void clusters() {
   packed("cluster_linear", Linear(1e5, 15), smooth);
   packed("cluster_fractional", Fractional(1e5, 15, 0.2), smooth);
   packed("cluster_linear_friction", Linear(1e5, 15), rough);
+  packed("cluster_linear_springs", Linear(1e5, 15), Friction(0.5, 0.5, 0), LinearTangential(8e4, 5));
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ CompliantRow compliant_row(const TangentialContact& law, const ContactState& c, 
     row.last = {passed.slide / a.step, passed.twist / a.step, passed.roll / a.step};
   }
   row.slide = halfway(row.spring_then, row.before.slide, a.motion.slip, t);
-  row.roll = halfway(roll, row.before.roll, a.motion.roll, t);
+  if (roll.stiffness > 0) row.roll = halfway(roll, row.before.roll, a.motion.roll, t);
   return row;
 }
 
@@ -92,11 +92,14 @@ FrictionSolution compliant_impulse(const TangentialContact& law, CompliantRow& r
   Traction wanted;
   wanted.sliding = led(held_impulse(s.sliding, row.held.slide, p.before.slip, slip, m.slip, row) / t, s.sliding_limit,
                        row.last.sliding, row.slide);
-  wanted.torsion =
-      held_impulse(s.torsion, scalar(row.held.twist), scalar(p.before.spin), scalar(p.free.spin), m.roll, row).x / t;
-  const Vec3 roll = p.free.roll + m.cross * guess.sliding;
-  wanted.rolling = led(held_impulse(s.rolling, row.held.roll, p.before.roll, roll, m.roll, row) / t, s.rolling_limit,
-                       row.last.rolling, row.roll);
+  if (s.torsion.stiffness > 0)
+    wanted.torsion =
+        held_impulse(s.torsion, scalar(row.held.twist), scalar(p.before.spin), scalar(p.free.spin), m.roll, row).x / t;
+  if (s.rolling.stiffness > 0) {
+    const Vec3 roll = p.free.roll + m.cross * guess.sliding;
+    wanted.rolling = led(held_impulse(s.rolling, row.held.roll, p.before.roll, roll, m.roll, row) / t, s.rolling_limit,
+                         row.last.rolling, row.roll);
+  }
   row.answer = limited(s, wanted, t);
   const Traction& found = row.answer.traction;
   return {.impulse = {t * found.sliding, t * found.torsion, t * found.rolling},

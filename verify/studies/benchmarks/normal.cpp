@@ -1,11 +1,11 @@
 #include "normal.hpp"
 
 #include "impact.hpp"
+#include "solid.hpp"
 
 #include <verify/study.hpp>
 
 #include <console/csv.hpp>
-#include <ricochet/collision/scale_and_loss.hpp>
 
 #include <fmt/format.h>
 
@@ -16,15 +16,6 @@
 namespace ricochet::verify::benchmarks {
 
 namespace {
-
-struct Solid {
-  const char* name;
-  double young, poisson, density;  // Pa, –, kg/m³
-  ElasticSolid elastic() const { return {young, poisson}; }
-};
-
-// A rigid plane: 1/E* is that of the sphere alone.
-double modulus_on_rigid(const Solid& s) { return s.young / (1 - s.poisson * s.poisson); }
 
 /// An elastic meeting by Hertz's law, and its closed form.
 struct Elastic {
@@ -42,7 +33,7 @@ Elastic two_spheres(const Solid& s) {
 
 Elastic on_a_plane(const Solid& s) {
   constexpr double radius = 0.1, speed = 0.2;
-  const double k = hertz_stiffness(modulus_on_rigid(s), radius);
+  const double k = hertz_stiffness(s.modulus_on_rigid(), radius);
   const Sphere sphere{radius, s.density, {}, {0, 0, -speed}};
   return {against_wall(sphere, {Tsuji(k, 0)}), k, {speed, sphere.mass()}};
 }
@@ -80,8 +71,7 @@ Row restitution_row(const Solid& s, double en) {
   const Sphere sphere{radius, s.density, {}, {0, 0, -speed}};
   const Impact impact{speed, sphere.mass()};
   const LawKind kind = kind_of<Tsuji>;
-  // E/(1−ν²) as a solid of ν = 0 whose partner is of the same stuff has half of it.
-  const ElasticSolid like_rigid{2 * modulus_on_rigid(s), 0};
+  const ElasticSolid like_rigid = s.as_on_rigid();
   const auto tcol =
       collision_time(kind, ContactEnd::force,
                      scale::Moduli{.first = like_rigid, .second = like_rigid, .radius_eff = radius}, en, impact);

@@ -1,13 +1,13 @@
 #include "oblique.hpp"
 
 #include "impact.hpp"
+#include "solid.hpp"
 
 #include <verify/study.hpp>
 
 #include <console/csv.hpp>
 #include <console/number.hpp>
 #include <ricochet/collision/oblique.hpp>
-#include <ricochet/collision/scale_and_loss.hpp>
 
 #include <fmt/format.h>
 
@@ -19,13 +19,6 @@
 namespace ricochet::verify::benchmarks {
 
 namespace {
-
-struct Solid {
-  const char* name;
-  double young, poisson, density;                                                  // Pa, –, kg/m³
-  double shear_part() const { return 2 * (2 - poisson) * (1 + poisson) / young; }  // (2−ν)/G
-  double modulus() const { return young / (1 - poisson * poisson); }
-};
 
 constexpr Solid alumina{"alumina", 3.8e11, 0.23, 4000}, aluminium{"aluminium alloy", 7e10, 0.33, 2700},
     steel{"steel", 2.08e11, 0.3, 7850}, polyethylene{"polyethylene", 1e9, 0.4, 1400}, nylon{"nylon", 2.5e9, 0.4, 1000},
@@ -46,14 +39,13 @@ struct Case {
     return {dot(i.velocity - j.velocity, normal()), mass};
   }
   AnyLaw law() const {
-    // As a solid of ν = 0 that meets its like.
-    const ElasticSolid like{wall() ? 2 * solid.modulus() : solid.modulus(), 0};
+    const ElasticSolid like = wall() ? solid.as_on_rigid() : solid.elastic();
     const scale::Moduli moduli{.first = like, .second = like, .radius_eff = radius_eff()};
     const double tcol = collision_time(kind_of<Tsuji>, ContactEnd::force, moduli, en, impact()).value();
     return at_impact(unit_law(kind_of<Tsuji>, en, ContactEnd::force)->law, tcol, impact()).value();
   }
   TangentialContact tangential() const {
-    const double compliance = (wall() ? 1 : 2) * solid.shear_part();
+    const double compliance = (wall() ? 1 : 2) * solid.shear_compliance();
     return {.law = MindlinTangential::of(1 / compliance, radius_eff()), .friction = Friction(mu, mu, 0)};
   }
 };

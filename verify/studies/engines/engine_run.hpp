@@ -10,12 +10,12 @@ namespace ricochet::verify::engines {
 
 /// One instant of a collision. Rates are in Yade, whose velocities are half a step behind, those of half a step before.
 struct Instant {
-  double time;        ///< from the start of the run [s]
-  double overlap;     ///< along the normal of the start [m]
-  double rate;        ///< of the overlap [m/s]
-  double force;       ///< repulsion [N]
-  double across = 0;  ///< velocity of a's centre across the normal, relative to b's or the wall's [m/s]
-  double spin = 0;    ///< of a about the third axis [1/s]
+  double time = 0;     ///< from the start of the run [s]
+  double overlap = 0;  ///< along the normal of the start [m]
+  double rate = 0;     ///< of the overlap [m/s]
+  double force = 0;    ///< repulsion [N]
+  double across = 0;   ///< velocity of a's centre across the normal, relative to b's or the wall's [m/s]
+  double spin = 0;     ///< of a about the third axis [1/s]
 };
 using Trajectory = std::vector<Instant>;
 

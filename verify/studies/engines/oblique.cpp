@@ -32,9 +32,9 @@ struct Laws {
 
 /// The laws of the round trip by name.
 struct Kind {
-  const char* name;
-  LawKind normal;
-  Laws (*make)(const AnyLaw& normal, double mass_eff);
+  const char* name = "";
+  LawKind normal{};
+  Laws (*make)(const AnyLaw& normal, double mass_eff) = nullptr;
 };
 
 double sticking_mass(double mass_eff) { return 2.0 / 7 * mass_eff; }

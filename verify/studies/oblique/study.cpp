@@ -25,6 +25,7 @@ Table angle_table() {
   const Notation six{Notation::Kind::significant, 6}, whole{Notation::Kind::significant, 2};
   std::vector<console::Column> columns{{"angle", "deg", whole}};
   const auto laws = contacts();
+  columns.reserve(10);
   for (const char* quantity : {"et", "spin", "angle after"})
     for (const Contact& c : laws)
       columns.push_back({fmt::format("{} {}", quantity, c.name),
@@ -36,6 +37,7 @@ Table angle_table() {
   for (int degrees = 0; degrees <= 85; degrees += 5) {
     std::vector<console::Cell> cells{static_cast<double>(degrees)};
     std::vector<Rebound> all;
+    all.reserve(laws.size());
     for (const Contact& c : laws) all.push_back(rebound(c, degrees));
     for (const char* quantity : {"et", "spin", "angle"})
       for (const Rebound& r : all) cells.emplace_back(value_of(r, quantity));
@@ -65,7 +67,8 @@ void add_check_values(std::vector<Gate>& gates) {
 void add_exact(std::vector<Gate>& gates) {
   double sliding = 0, sticking = 0;
   for (const Contact& c : contacts())
-    for (double degrees = 0.5; degrees < 89.8; degrees += 0.5) {
+    for (int half = 1; half < 180; ++half) {
+      const double degrees = 0.5 * half;
       const ObliqueImpact impact = at_angle(degrees);
       const double v_t = impact.i.velocity.x, slides = 1 - 2 * mu * impact.i.velocity.z / v_t;
       const double et = rebound(c, degrees).et;
@@ -86,6 +89,7 @@ void add_scan(StudyResult& result, const Scan& s) {
                                     {"failed", s.failed},
                                     {"most_gained", s.most_gained},
                                     {"worst_balance", s.worst_balance},
+                                    {"most_negative", s.most_negative},
                                     {"greatest_share_of_friction_limit", s.worst_limit}};
 }
 

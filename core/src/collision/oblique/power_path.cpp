@@ -7,6 +7,7 @@
 #include "normal_path.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace ricochet::collision {
@@ -46,20 +47,28 @@ class PowerPath final : public NormalPath {
     return (q > 0 ? Motion::power(y[0], q - 1) : 1.0) * motion_.force_slope(y);
   }
 
-  /// Records the steps up to where the force falls to 0, or the overlap where nothing damps.
+  /// Where the last step ends the motion: where the force falls to 0, looked for up to where the overlap does, as past
+  /// that y^R has it positive again; where nothing damps, at the overlap's end.
+  std::optional<double> end_in(Steps<Motion>& steps) const {
+    const auto apart = steps.fall([](const State& y) { return y[0]; }, steps.taken());
+    if (motion_.elastic()) return apart;
+    const auto force = [this](const State& y) { return motion_.reduced_force(y); };
+    const auto slack = steps.fall(force, apart.value_or(steps.taken()));
+    return slack ? slack : apart;
+  }
+
   void record() {
     Steps<Motion> steps(motion_, motion_.start(), budget, first_step / (1 + motion_.gamma));
-    const auto left = [this](const State& y) { return motion_.elastic() ? y[0] : motion_.reduced_force(y); };
-    while (steps.advance()) {
+    complete_ = false;
+    while (!complete_ && steps.advance()) {
       const double s = length_;
       starts_.push_back(s);
       states_.push_back(steps.before());
       if (const auto turn = steps.fall([this](const State& y) { return motion_.rate(y); }, steps.taken()))
         turn_ = s + *turn;
-      const auto end = steps.fall(left, steps.taken());
+      const auto end = end_in(steps);
       length_ = s + end.value_or(steps.taken());
       complete_ = end.has_value();
-      if (end) return;
     }
   }
 

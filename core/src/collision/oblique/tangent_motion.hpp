@@ -75,8 +75,20 @@ class TangentMotion {
   /// of Mindlin's spring, falls to 0; where a dashpot holds it back, to what is left.
   void give_up_strain(const State& y, ObliqueLosses& lost) const;
 
+  /// A compliant contact whose torsion shares the disc's limit: `tangential_step` along the path with `steps` steps
+  /// before the turning point and as many after it, to first order in their length. The strain is given up.
+  struct Stepped {
+    State state{};
+    double stick_time = 0;
+    int switches = 0;
+  };
+  bool shares_compliant_disc() const noexcept { return !rigid_ && shares_disc() && present_[torsion]; }
+  Stepped stepped(int steps) const;
+
  private:
   struct View;  // all that follows from a state at once
+  struct Walk;  // what steps of the contact's own carry along
+  void step(Stepped& out, Walk& walk, double from, double to, bool loading) const;
   View view(const State& y) const;
   void add_elements(View& v) const;
   void add_rigid_forces(View& v) const;
