@@ -1,6 +1,7 @@
 #include "curve.hpp"
 #include "fit_report.hpp"
 #include "materials.hpp"
+#include "oblique_fit_run.hpp"
 #include "report.hpp"
 #include "targets.hpp"
 
@@ -57,7 +58,7 @@ console::Exit work(Options& options) {
   if (options.curve && !(options.fit.empty() && options.targets.empty()))
     throw console::BadInput(fmt::format("{}: must be one number with {}", options.curve->flag,
                                         options.fit.empty() ? "--targets" : "--fit"));
-  if (!options.fit.empty()) return run_fit(options);
+  if (!options.fit.empty()) return is_oblique(options.fit) ? run_oblique_fit(options) : run_fit(options);
   if (options.alpha_of_speed || !options.figures.empty())
     throw console::BadInput("--alpha-of-speed and --figures: must be left out without --fit");
   if (!options.targets.empty()) return run_targets(options);

@@ -177,14 +177,22 @@ std::variant<TangentialLaw, Infeasible> mindlin_for(const TangentialRequest& req
   if (request.mindlin) {
     const double k = *request.mindlin, unit_c = stuck.mass() / stuck.tcol();
     const double free = stuck(MindlinTangential(k)).beta;
-    if (!(beta0 <= free))
-      return beyond(normal, end, beta0, 0, free, "more the spring of these moduli does not give back");
+    if (beta0 == free) return MindlinTangential(k);
     const auto over = [&](double log_c) { return stuck(MindlinTangential(k, unit_c * std::exp(log_c))).beta - beta0; };
-    double low = -12, high = low;
-    while (high < 8 && over(high) > 0) high += 0.5;
-    if (high >= 8) return beyond(normal, end, beta0, 0, free, "no dashpot beside the spring of these moduli gives it");
-    if (high == low) return MindlinTangential(k);
-    return MindlinTangential(k, unit_c * std::exp(support::root(over, high - 0.5, high, {.relative = 1e-13})));
+    // From the free spring's to 0, which it sticks with under endless damping; the first crossing is the least c_t.
+    double before = free - beta0, lowest = std::min(free, 0.0), highest = std::max(free, 0.0);
+    for (int i = -40; i <= 24; ++i) {
+      const double here = over(0.25 * i);
+      if ((here > 0) != (before > 0)) {
+        if (i == -40) return MindlinTangential(k);
+        return MindlinTangential(
+            k, unit_c * std::exp(support::root(over, 0.25 * (i - 1), 0.25 * i, before, here, {.relative = 1e-13})));
+      }
+      before = here;
+      lowest = std::min(lowest, here + beta0);
+      highest = std::max(highest, here + beta0);
+    }
+    return beyond(normal, end, beta0, lowest, highest, "no dashpot beside the spring of these moduli gives it");
   }
   const auto beta = [&](double log_k) { return stuck(MindlinTangential(unit_k * std::exp(log_k))).beta; };
   const FirstRise rise = first_rise(beta);

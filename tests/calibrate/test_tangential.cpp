@@ -81,6 +81,17 @@ TEST_CASE("Mindlin's spring for beta0, or of moduli with a dashpot for it", "[ta
   CHECK(std::get<MindlinTangential>(damped.law).k_t() == of_moduli);
   CHECK(std::get<MindlinTangential>(damped.law).c_t() > 0);
   CHECK(damped.achieved == Approx(0.1).margin(1e-8));
+  // A weak spring gives back little; a dashpot brings what it leaves of the slip to rest.
+  const TangentialRequest weak{.form = TangentialForm::mindlin, .mindlin = 0.2 * of_moduli};
+  const double left = found(weak, normal(kind_of<Tsuji>)).beta0;
+  CHECK(left < -0.2);
+  TangentialRequest halved = weak;
+  halved.beta0 = 0.5 * left;
+  CHECK(found(halved, normal(kind_of<Tsuji>)).achieved == Approx(0.5 * left).margin(1e-8));
+  halved.beta0 = 0.5;
+  const Infeasible out = missed(halved, normal(kind_of<Tsuji>));
+  CHECK(out.lowest == Approx(left).margin(1e-12));
+  CHECK(out.highest < 0.5);
 }
 
 TEST_CASE("out of a form's range, beta0 is told with the range", "[tangential]") {
