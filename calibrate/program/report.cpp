@@ -14,7 +14,7 @@ Outcome outcome_of(const Job& job, const Wanted& wanted, const Settings& setting
   if (const auto* missed = std::get_if<Infeasible>(&asked)) return *missed;
   Request request = std::get<Request>(asked);
   if (wanted.law == kind_of<Fractional> && job.stiffness) request.stiffness = job.stiffness;
-  const Outcome outcome = calibrate(request, settings);
+  Outcome outcome = calibrate(request, settings);
   if (const auto* missed = std::get_if<Infeasible>(&outcome)) return in_terms_of(*missed, job.known.loss);
   return outcome;
 }
@@ -27,7 +27,7 @@ std::string bound_text(double bound, double refused, bool upper, bool open) {
     return !beyond || (upper ? refused > told : refused < told) || (open && refused == told);
   };
   for (int digits = 6; digits < 17; ++digits)
-    if (const std::string text = console::significant(bound, digits); tells(*console::parse_number(text))) return text;
+    if (std::string text = console::significant(bound, digits); tells(*console::parse_number(text))) return text;
   return console::shortest(bound);
 }
 

@@ -255,7 +255,7 @@ std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
   if (reading.stiffness) row.request.stiffness = reading.stiffness;
   row.solved = true;
   if (tangential_) add_tangential(row, reading.known.scale);
-  const auto answer = calibrator_(row.request);
+  auto answer = calibrator_(row.request);
   if (const auto* missed = std::get_if<Infeasible>(&answer)) return in_terms_of(*missed, reading.known.loss);
   return answer;
 }

@@ -138,7 +138,7 @@ std::variant<Request, Infeasible> request_of(LawKind law, ContactEnd end, const 
 Outcome calibrate(LawKind law, ContactEnd end, const Known& known, const Settings& settings) {
   const auto request = request_of(law, end, known);
   if (const auto* missed = std::get_if<Infeasible>(&request)) return *missed;
-  const Outcome outcome = calibrate(std::get<Request>(request), settings);
+  Outcome outcome = calibrate(std::get<Request>(request), settings);
   if (const auto* missed = std::get_if<Infeasible>(&outcome)) return in_terms_of(*missed, known.loss);
   return outcome;
 }
