@@ -82,7 +82,7 @@ console::Figure figure_of(const Report& report) {
       .panels = {panel_of("every law", laws.name(), of_laws, laws),
                  panel_of(of_laws.front().title, inputs.name(), of_inputs, inputs)},
       .layout = console::Layout{
-          .rows = 1, .columns = 2, .left = 0.1, .right = 0.98, .bottom = 0.14, .top = 0.92, .between_columns = 0.1}};
+          .rows = 1, .columns = 2, .left = 0.1, .right = 0.98, .bottom = 0.17, .top = 0.92, .between_columns = 0.1}};
   const auto& first = of_laws.front().rebounds;
   const auto least = std::min_element(first.begin(), first.end(),
                                       [](const ObliqueRebound& a, const ObliqueRebound& b) { return a.et < b.et; });
