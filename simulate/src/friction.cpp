@@ -33,7 +33,7 @@ void read_stiffness(const Node& node, TangentialAsked& asked) {
     if (asked.mindlin) beta0.reject("left out with the model mindlin");
     for (const char* key : {"k_t", "c_t"})
       if (node.has(key)) node.at(key).reject("left out with beta0");
-    if (!(beta0.positive() <= 1)) beta0.reject("in (0, 1]");
+    if (!beta0.json().is_number() || !(beta0.number() > 0 && beta0.number() <= 1)) beta0.reject("in (0, 1]");
     asked.beta0 = beta0.number();
     return;
   }

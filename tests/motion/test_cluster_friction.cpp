@@ -145,6 +145,26 @@ TEST_CASE("a coefficient of rolling resistance holds a sphere up to mu_r R N, wh
   CHECK(speed(slope, 0.04) == Approx(5.0 / 7 * g * (std::sin(slope) - 0.04 * std::cos(slope))).epsilon(1e-5));
 }
 
+TEST_CASE("rolling resistance slows a spin where nothing resists sliding") {
+  // omega' = −limit/J with the limit μ_r r N, or ρ a N; no force along the plane.
+  const double spin = 100, stiffness = 400;
+  const auto slowing = [&](const Friction& friction, double mu_rolling) {
+    Incline plane(0, friction, stiffness);
+    plane.setup.interactions.at({0, 0}).rolling.mu = mu_rolling;
+    plane.setup.spheres[0].spin = {0, spin, 0};
+    double left = 0;
+    const double t = coast(plane.setup, 1e-4, 0.05, [&](const Cluster& c) {
+      left = c.spin(0).y;
+      REQUIRE(norm(c.velocity(0)) < 1e-12);
+    });
+    return (spin - left) / t;
+  };
+  const Incline plane(0, Friction(), stiffness);
+  const double overlap = r - plane.setup.spheres[0].position.z, a = std::sqrt(overlap * (2 * r - overlap));
+  CHECK(slowing(Friction(0, 0, 0, 0), 0.04) == Approx(2.5 * 0.04 * g / r).epsilon(1e-9));
+  CHECK(slowing(Friction(0, 0, 0, 1), 0) == Approx(2.5 * a * g / (r * r)).epsilon(1e-9));
+}
+
 TEST_CASE("down a slope a sphere rolls with (5/7) g sin, slides with g (sin - mu cos)") {
   const double mu = 0.2;
   const Friction plain(mu, mu, 0, 0);

@@ -38,6 +38,7 @@ Slide slide(const Friction& friction, const FrictionProblem& p, const SlipMotion
   const double a = p.contact_radius, N = p.normal_impulse;
   const Vec3 to_stop = free.slip + p.turning;
   const double hold = friction.mu_static() * N;
+  if (!(hold > 0)) return {};
   if (admits_stick(norm(to_stop) / (p.mobility.slip * hold),
                    a > 0 ? std::abs(free.spin) / (p.mobility.roll * hold * a) : 0))
     return {-to_stop / p.mobility.slip, a > 0 ? -free.spin / p.mobility.roll : 0, true};
@@ -87,7 +88,7 @@ double slip_fraction(const Friction& friction, const FrictionProblem& p, const S
 FrictionSolution friction_impulse(const Friction& friction, const FrictionProblem& p,
                                   const FrictionImpulse& guess) noexcept {
   FrictionSolution s;
-  if (p.normal_impulse <= 0 || friction.mu_static() <= 0) return s;
+  if (p.normal_impulse <= 0) return s;
   const SlipMobility& m = p.mobility;
   const double roll_limit = friction.rolling_arm() * p.contact_radius * p.normal_impulse;
   // Sliding and rolling act on each other. Try first that both end, which a sphere at rest needs: one 2×2 system.

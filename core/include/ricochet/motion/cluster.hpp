@@ -134,7 +134,7 @@ class Cluster {
     std::unique_ptr<motion::NormalContacts> normal;
     std::vector<std::uint32_t> members;  // which of all contacts, ascending
     bool rubs() const noexcept {
-      return tangential.friction.mu_static() > 0 || (compliant && tangential.rolling.mu > 0);
+      return tangential.friction.mu_static() > 0 || tangential.friction.rolling_arm() > 0 || tangential.rolling.mu > 0;
     }
   };
   struct PlaneWall {
