@@ -76,9 +76,9 @@ Panel rebound_panel(SeriesFile& file, const std::string& quantity, const std::st
               .y = {.label = label},
               .room = "0,0,graph 0.05,graph 0.05"};
   const auto all = contacts();
-  for (std::size_t k = 0; k < all.size(); ++k) {
+  for (const auto& one : all) {
     file.begin();
-    for (int n = 1; n <= 178; ++n) add(file, all[k].name, 0.5 * n, value_of(rebound(all[k], 0.5 * n), quantity));
+    for (int n = 1; n <= 178; ++n) add(file, one.name, 0.5 * n, value_of(rebound(one, 0.5 * n), quantity));
   }
   add_points(file, "oblique_kharaz2001.csv", quantity);
   add_points(file, "oblique_kharaz2001_second_reading.csv", quantity);
