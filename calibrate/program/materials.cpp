@@ -173,6 +173,9 @@ Materials read_materials(const std::string& file, const std::string& text) {
   read_all(root.at("materials"), materials);
   require_distinct_words(root.at("materials"), materials);
   read_pairs(root, materials);
+  if (root.has("tangential") && std::none_of(materials.pairs.begin(), materials.pairs.end(),
+                                             [](const Pair& pair) { return pair.beta0 || pair.mu; }))
+    root.at("tangential").reject("left out where no pair has beta0 or mu");
   return materials;
 }
 

@@ -27,8 +27,9 @@ struct Line {
 std::vector<Line> lines_of_laws(const Report& report) {
   std::vector<Line> lines;
   for (std::size_t i = 0; i < report.results.size(); ++i)
-    lines.push_back({fmt::format("{}, {}", name(report.results[i].law), text(report.results[i].end)),
-                     report.tangential[i].rebounds});
+    if (!report.tangential[i].rebounds.empty())
+      lines.push_back({fmt::format("{}, {}", name(report.results[i].law), text(report.results[i].end)),
+                       report.tangential[i].rebounds});
   return lines;
 }
 
@@ -44,9 +45,12 @@ std::vector<Line> lines_of_inputs(const Report& report) {
     const auto outcome = calibrate_tangential(request, r.law, r.end, r.request.target);
     const auto* found = std::get_if<TangentialCalibration>(&outcome);
     if (!found) return;
-    lines.push_back({fmt::format("β_0 = {}, μ = {}", console::significant(other.value_or(beta0), 3),
-                                 console::significant(friction, 3)),
-                     rebounds(found->law, friction, r.law, r.end, r.request.target.impact, usual_angles())});
+    try {
+      lines.push_back({fmt::format("β_0 = {}, μ = {}", console::significant(other.value_or(beta0), 3),
+                                   console::significant(friction, 3)),
+                       rebounds(found->law, friction, r.law, r.end, r.request.target.impact, usual_angles())});
+    } catch (const NotConverged&) {  // a dashpot too weak to be followed there: no line
+    }
   };
   add({}, mu);
   for (const double step : {-0.3, 0.3}) add(beta0 + step, mu);
@@ -113,6 +117,8 @@ Table sensitivity_table(const Report& report) {
       table.row({s.angle / degree, s.tcol, s.en, s.beta0, s.mu});
   } catch (const std::invalid_argument&) {  // e_n = 1 or β₀ at its end cannot be moved both ways
     table.note("not told where en or beta0 stands at the end of its range");
+  } catch (const NotConverged&) {
+    table.note("not told where a dashpot is too weak for its sliding to be followed");
   }
   return table;
 }

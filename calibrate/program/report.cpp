@@ -44,7 +44,14 @@ std::variant<Tangential, Infeasible> tangential_of(const TangentialRequest& requ
   const auto outcome = calibrate_tangential(request, r.law, r.end, target);
   if (const auto* missed = std::get_if<Infeasible>(&outcome)) return *missed;
   Tangential all{std::get<TangentialCalibration>(outcome)};
-  if (request.mu) all.rebounds = rebounds(all.found.law, *request.mu, r.law, r.end, target.impact, usual_angles());
+  if (!request.mu) return all;
+  try {
+    all.rebounds = rebounds(all.found.law, *request.mu, r.law, r.end, target.impact, usual_angles());
+  } catch (const NotConverged&) {
+    all.found.remarks.emplace_back(
+        "no rebounds: c_t is so weak beside k_t that its spring relaxes too fast to be followed where the contact "
+        "slides");
+  }
   return all;
 }
 

@@ -186,6 +186,10 @@ Table rebound_table(const Report& report) {
   for (const ObliqueRebound& r : t.rebounds)
     table.row({r.angle / degree, r.et, r.beta, r.rebound_angle / degree,
                *t.found.mu > 0 ? Cell(r.impulse_ratio / *t.found.mu) : console::blank()});
+  if (std::any_of(t.rebounds.begin(), t.rebounds.end(),
+                  [&](const ObliqueRebound& r) { return r.impulse_ratio > *t.found.mu * (1 + 1e-6); }))
+    table.note(
+        "above 1: friction goes by the repulsion, the normal impulse has the attraction before the end taken off");
   return table;
 }
 
@@ -195,9 +199,11 @@ Table rebounds_table(const Report& report) {
   for (const Calibration& r : report.results)
     columns.push_back({fmt::format("{}, {}", law_of(r), end_of(r)), "", {Notation::Kind::fixed, 6}});
   Table table(columns, "Oblique impacts without spin, angles from the normal: et of the centre");
-  for (std::size_t i = 0; i < report.tangential.front().rebounds.size(); ++i) {
-    std::vector<Cell> row{report.tangential.front().rebounds[i].angle / degree};
-    for (const Tangential& t : report.tangential) row.emplace_back(t.rebounds[i].et);
+  const auto angles = usual_angles();
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    std::vector<Cell> row{angles[i] / degree};
+    for (const Tangential& t : report.tangential)
+      row.push_back(t.rebounds.empty() ? console::blank() : Cell(t.rebounds[i].et));
     table.row(row);
   }
   return table;
@@ -217,6 +223,11 @@ Table failure_table(const Report& report) {
   return table;
 }
 
+bool has_rebounds(const Report& report) {
+  return std::any_of(report.tangential.begin(), report.tangential.end(),
+                     [](const Tangential& t) { return !t.rebounds.empty(); });
+}
+
 }  // namespace
 
 std::vector<Table> law_tables(const Report& report) {
@@ -228,7 +239,7 @@ std::vector<Table> tables_of(const Report& report) {
   std::vector<Table> tables = law_tables(report);
   if (!report.tangential.empty()) {
     tables.push_back(tangential_table(report));
-    if (!report.tangential.front().rebounds.empty())
+    if (has_rebounds(report))
       tables.push_back(report.tangential.size() == 1 ? rebound_table(report) : rebounds_table(report));
   }
   if (!report.results.empty() && !report.job.given) tables.push_back(check_table(report));

@@ -215,18 +215,17 @@ std::vector<std::string> TargetRows::idle(std::uint64_t taken, const std::vector
   return idle;
 }
 
-/// By the closed forms; throws where β₀ is not what the form gives.
-void TargetRows::add_tangential(Row& row, const Scale& scale) const {
+/// By the closed forms, or why the form cannot have this β₀.
+std::optional<Infeasible> TargetRows::add_tangential(Row& row, const Scale& scale) const {
   const auto wanted = tangential_of(*row.asked, Spelling::columns, scale);
-  if (!wanted) return;
+  if (!wanted) return std::nullopt;
   row.taken |= bit(form);
   const Target& target = row.request.target;
-  const bool damped = wanted->form == TangentialForm::linear;
-  if (!(damped ? *wanted->beta0 > 0 : *wanted->beta0 > -1))
-    throw BadInput("beta0", console::shortest(*wanted->beta0),
-                   damped ? "in (0, 1] of linear; linear-undamped goes down to -1" : "in (-1, 1] of linear-undamped");
-  row.tangential = tangential_for(*wanted->beta0, target.tcol, target.impact.mass_eff,
-                                  damped ? StickingForm::damped : StickingForm::undamped);
+  if (auto missed = out_of_form(wanted->form, *wanted->beta0, row.request.law, row.request.end)) return missed;
+  row.tangential =
+      tangential_for(*wanted->beta0, target.tcol, target.impact.mass_eff,
+                     wanted->form == TangentialForm::linear ? StickingForm::damped : StickingForm::undamped);
+  return std::nullopt;
 }
 
 std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
@@ -254,7 +253,8 @@ std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
   row.request = std::get<Request>(request);
   if (reading.stiffness) row.request.stiffness = reading.stiffness;
   row.solved = true;
-  if (tangential_) add_tangential(row, reading.known.scale);
+  if (tangential_)
+    if (auto missed = add_tangential(row, reading.known.scale)) return *missed;
   auto answer = calibrator_(row.request);
   if (const auto* missed = std::get_if<Infeasible>(&answer)) return in_terms_of(*missed, reading.known.loss);
   return answer;

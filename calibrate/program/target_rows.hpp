@@ -61,7 +61,7 @@ class TargetRows {
   };
 
   void require_topics(std::size_t line) const;
-  void add_tangential(Row& row, const Scale& scale) const;
+  std::optional<Infeasible> add_tangential(Row& row, const Scale& scale) const;
   double number(std::size_t column, std::string_view text, Asked& own) const;
   void stiffness(std::size_t column, std::string_view text, Asked& own) const;
   void numbers(const Row& row, Asked& own) const;

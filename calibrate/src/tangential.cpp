@@ -8,6 +8,7 @@
 #include <ricochet/support/root.hpp>
 #include <ricochet/support/text.hpp>
 
+#include <boost/math/tools/minima.hpp>
 #include <fmt/format.h>
 #include <nlopt.hpp>
 
@@ -98,18 +99,33 @@ double objective(const std::vector<double>& x, std::vector<double>&, void* data)
   return (*static_cast<Miss*>(data))(x);
 }
 
-/// BOBYQA from parameters of 2 in those units, begun anew around its best point while that gains.
-TangentialLaw searched(TangentialForm form, double beta0, double unit_k, bool damped, const Sticking& stuck) {
-  std::vector<double> x{std::log(4.0)};
-  if (damped) x.push_back(0);
+/// Where the search ended, and by how much its point misses β₀ and, of the damped form, the strain of 0.
+struct Searched {
+  TangentialLaw law;
+  double miss = 0;
+};
+
+/// BOBYQA within a factor e of `ours` and below `highest`, ln of the first parameter, where another period of the
+/// spring begins; begun a factor √e away, and anew around its best point while that gains.
+Searched searched(TangentialForm form, double beta0, double unit_k, const TangentialLaw& ours, double highest,
+                  const Sticking& stuck) {
+  const auto parameters = values(ours);
+  const double log_k = std::log(parameters.at(0) / unit_k);
+  std::vector<double> low{log_k - 1}, high{std::min(log_k + 1, highest)}, x{log_k - 0.5};
+  if (parameters.at(1) > 0) {
+    const double log_c = std::log(parameters.at(1) * stuck.tcol() / stuck.mass());
+    low.push_back(log_c - 1);
+    high.push_back(log_c + 1);
+    x.push_back(log_c + 0.5);
+  }
   Miss miss{form, beta0, unit_k, stuck, x};
-  double step = 1;
+  double step = 0.25;
   for (double before = std::numeric_limits<double>::infinity(); miss.least > 1e-24 && miss.least < 0.25 * before;) {
     before = miss.least;
     nlopt::opt optimizer(nlopt::LN_BOBYQA, static_cast<unsigned>(x.size()));
     optimizer.set_min_objective(objective, &miss);
-    optimizer.set_lower_bounds(-12);
-    optimizer.set_upper_bounds(6);
+    optimizer.set_lower_bounds(low);
+    optimizer.set_upper_bounds(high);
     optimizer.set_stopval(1e-26);
     optimizer.set_xtol_rel(1e-14);
     optimizer.set_maxeval(200);
@@ -120,9 +136,9 @@ TangentialLaw searched(TangentialForm form, double beta0, double unit_k, bool da
       optimizer.optimize(x, value);
     } catch (const std::runtime_error&) {  // rounding is all that is left; the best point counts
     }
-    step = std::clamp(std::sqrt(miss.least), 1e-9, 1.0);
+    step = std::clamp(std::sqrt(miss.least), 1e-9, 0.25);
   }
-  return law_at(form, miss.best, stuck, unit_k);
+  return {law_at(form, miss.best, stuck, unit_k), std::sqrt(miss.least)};
 }
 
 double apart(const TangentialLaw& law, const TangentialLaw& other) {
@@ -170,30 +186,13 @@ FirstRise first_rise(const F& beta) {
   return rise;
 }
 
-/// k_t √ζ for β₀ without dashpot, or the c_t beside a k_t that is given.
-std::variant<TangentialLaw, Infeasible> mindlin_for(const TangentialRequest& request, const AnyLaw& normal,
-                                                    ContactEnd end, const Sticking& stuck, double unit_k) {
-  const double beta0 = *request.beta0;
-  if (request.mindlin) {
-    const double k = *request.mindlin, unit_c = stuck.mass() / stuck.tcol();
-    const double free = stuck(MindlinTangential(k)).beta;
-    if (beta0 == free) return MindlinTangential(k);
-    const auto over = [&](double log_c) { return stuck(MindlinTangential(k, unit_c * std::exp(log_c))).beta - beta0; };
-    // From the free spring's to 0, which it sticks with under endless damping; the first crossing is the least c_t.
-    double before = free - beta0, lowest = std::min(free, 0.0), highest = std::max(free, 0.0);
-    for (int i = -40; i <= 24; ++i) {
-      const double here = over(0.25 * i);
-      if ((here > 0) != (before > 0)) {
-        if (i == -40) return MindlinTangential(k);
-        return MindlinTangential(
-            k, unit_c * std::exp(support::root(over, 0.25 * (i - 1), 0.25 * i, before, here, {.relative = 1e-13})));
-      }
-      before = here;
-      lowest = std::min(lowest, here + beta0);
-      highest = std::max(highest, here + beta0);
-    }
-    return beyond(normal, end, beta0, lowest, highest, "no dashpot beside the spring of these moduli gives it");
-  }
+/// k_t √ζ for β₀ without dashpot.
+struct MindlinSpring {
+  MindlinTangential law;
+  double log_top = 0;  ///< of the first rise, in units of `unit_k`
+};
+std::variant<MindlinSpring, Infeasible> spring_for(double beta0, const AnyLaw& normal, ContactEnd end,
+                                                   const Sticking& stuck, double unit_k) {
   const auto beta = [&](double log_k) { return stuck(MindlinTangential(unit_k * std::exp(log_k))).beta; };
   const FirstRise rise = first_rise(beta);
   if (!(beta0 > -1 && beta0 <= rise.top)) {
@@ -204,35 +203,90 @@ std::variant<TangentialLaw, Infeasible> mindlin_for(const TangentialRequest& req
   }
   const double low = beta(rise.log_low);
   if (beta0 <= low) return beyond(normal, end, beta0, low, rise.top, "so weak a spring is none");
-  return MindlinTangential(unit_k * std::exp(support::root([&](double x) { return beta(x) - beta0; }, rise.log_low,
-                                                           rise.log_top, low - beta0, rise.top - beta0)));
+  const double log_k = support::root([&](double x) { return beta(x) - beta0; }, rise.log_low, rise.log_top, low - beta0,
+                                     rise.top - beta0);
+  return MindlinSpring{MindlinTangential(unit_k * std::exp(log_k)), rise.log_top};
 }
 
-void tell_of_overlap(TangentialCalibration& out, ContactEnd end) {
-  if (end != ContactEnd::overlap || std::abs(out.achieved - out.beta0) < 1e-9) return;
+/// β₀ under a dashpot.
+struct Damped {
+  double log_c = 0, beta = 0;
+};
+
+/// Of samples over ln c in steps of `step`, the one of the greatest sign·β₀, moved to the maximum between its
+/// neighbours by Brent's method.
+template <class F>
+Damped extreme(const F& beta, const std::vector<Damped>& all, double step, double sign) {
+  const auto best = std::max_element(all.begin(), all.end(),
+                                     [&](const Damped& a, const Damped& b) { return sign * a.beta < sign * b.beta; });
+  if (best == all.begin() || best == all.end() - 1) return *best;
+  const auto [x, value] = boost::math::tools::brent_find_minima([&](double log_c) { return -sign * beta(log_c); },
+                                                                best->log_c - step, best->log_c + step, 26);
+  return -value > sign * best->beta ? Damped{x, -sign * value} : *best;
+}
+
+/// The least c_t that gives β₀ beside Mindlin's spring k_t √ζ. No dashpot leaves β₀ to the free spring, an endless one
+/// makes it 0; between them it is not monotone, so that its extremes are sought as well.
+std::variant<MindlinTangential, Infeasible> dashpot_for(double beta0, double k, const AnyLaw& normal, ContactEnd end,
+                                                        const Sticking& stuck) {
+  constexpr double step = 0.25;
+  const double unit_c = stuck.mass() / stuck.tcol(), free = stuck(MindlinTangential(k)).beta;
+  if (beta0 == free) return MindlinTangential(k);
+  const auto with = [&](double c) { return stuck(MindlinTangential(k, c)).beta; };
+  const auto beta = [&](double log_c) { return with(unit_c * std::exp(log_c)); };
+  const auto within = [&](double low, double high) {
+    return MindlinTangential(k,
+                             support::root([&](double c) { return with(c) - beta0; }, low, high, {.relative = 1e-13}));
+  };
+  constexpr int first = -40, last = 24;
+  std::vector<Damped> all;
+  all.reserve(last - first + 1);
+  for (int i = first; i <= last; ++i) {
+    all.push_back({step * i, beta(step * i)});
+    const double before = i == first ? free : all.rbegin()[1].beta;
+    const double low = i == first ? 0.0 : std::exp(step * (i - 1));
+    if ((all.back().beta > beta0) != (before > beta0)) return within(unit_c * low, unit_c * std::exp(step * i));
+  }
+  double lowest = std::min(free, 0.0), highest = std::max(free, 0.0);
+  for (const double sign : {-1.0, 1.0}) {
+    const Damped far = extreme(beta, all, step, sign);
+    if (sign * far.beta >= sign * beta0 && sign * beta0 > sign * free)
+      return within(unit_c * std::exp(far.log_c - step), unit_c * std::exp(far.log_c));
+    lowest = std::min(lowest, far.beta);
+    highest = std::max(highest, far.beta);
+  }
+  Infeasible out = beyond(normal, end, beta0, lowest, highest, "no dashpot beside the spring of these moduli gives it");
+  out.low_open = lowest == 0 && free > 0;
+  out.open = highest == 0 && free < 0;
+  return out;
+}
+
+/// Says where the contact itself does otherwise than one that sticks for all of t_col.
+void tell_of_end(TangentialCalibration& out, ContactEnd end) {
+  const bool overlap = end == ContactEnd::overlap;
+  if (std::abs(out.achieved - out.beta0) < (overlap ? 1e-9 : 1e-6)) return;
+  out.remarks.push_back(
+      fmt::format("beta0 is that of a contact that sticks for all of tcol; this one's repulsion{}, where beta0 is {}",
+                  overlap ? ", and friction with it, ends before its overlap does"
+                          : fmt::format(" falls so low before it ends that even friction of mu = {} slides",
+                                        support::shortest(endless_friction)),
+                  support::significant(out.achieved, 4)));
+}
+
+/// The search's difference, and a remark where it is more than the collision's own error explains.
+void cross_check(TangentialCalibration& out, const Searched& found) {
+  out.cross_difference = apart(out.law, found.law);
+  if (*out.cross_difference <= 1e-6) return;
   out.remarks.push_back(fmt::format(
-      "beta0 is that of a contact that sticks for all of tcol; this one's repulsion, and friction with it, ends before "
-      "its overlap does, where beta0 is {}",
-      support::significant(out.achieved, 4)));
+      "the search ends at parameters that differ by up to {} and miss by {}: beta0 hardly tells them from these",
+      support::significant(*out.cross_difference, 1), support::significant(found.miss, 1)));
 }
 
 TangentialOutcome of_linear_form(const TangentialRequest& request, const AnyLaw& normal, ContactEnd end,
                                  const Target& target) {
   const double beta0 = *request.beta0, m = target.impact.mass_eff;
-  const bool damped = request.form == TangentialForm::linear;
-  if (damped && !(beta0 > 0 && beta0 <= 1)) {
-    Infeasible out = beyond(normal, end, beta0, 0, 1,
-                            "a spring and a dashpot after half a period; linear-undamped "
-                            "goes down to -1");
-    out.low_open = true;
-    return out;
-  }
-  if (!damped && !(beta0 > -1 && beta0 <= 1)) {
-    Infeasible out = beyond(normal, end, beta0, -1, 1, "-1 is no spring at all, 1 a full reversal");
-    out.low_open = true;
-    return out;
-  }
-  const auto form = damped ? StickingForm::damped : StickingForm::undamped;
+  if (auto missed = out_of_form(request.form, beta0, LawKind::of(normal), end)) return *missed;
+  const auto form = request.form == TangentialForm::linear ? StickingForm::damped : StickingForm::undamped;
   const LinearTangential law = tangential_for(beta0, target.tcol, m, form);
   TangentialCalibration out{.form = request.form, .law = law, .mu = request.mu, .beta0 = beta0};
   out.algorithm = "closed form";
@@ -240,7 +294,9 @@ TangentialOutcome of_linear_form(const TangentialRequest& request, const AnyLaw&
   const AnyLaw elastic = lasting(target.tcol, m);
   const Sticking stuck(elastic, ContactEnd::force, target.impact, target.tcol);
   const double unit_k = stuck.mass() / (target.tcol * target.tcol);
-  out.cross_difference = apart(law, searched(request.form, beta0, unit_k, damped && beta0 < 1, stuck));
+  // Without a dashpot β₀ = −cos(√(k_t/m_t) t_col) falls again beyond half a period.
+  const double highest = form == StickingForm::undamped ? 2 * std::log(pi) : std::numeric_limits<double>::infinity();
+  cross_check(out, searched(request.form, beta0, unit_k, law, highest, stuck));
   out.evaluations = stuck.evaluations();
   return out;
 }
@@ -255,19 +311,25 @@ TangentialOutcome of_mindlin(const TangentialRequest& request, const AnyLaw& nor
     out.algorithm = "moduli";
     return out;
   }
+  out.beta0 = *request.beta0;
+  out.algorithm = "bracketed root";
+  if (request.mindlin) {
+    const auto found = dashpot_for(out.beta0, *request.mindlin, normal, end, stuck);
+    if (const auto* missed = std::get_if<Infeasible>(&found)) return *missed;
+    out.law = std::get<MindlinTangential>(found);
+    out.achieved = stuck(out.law).beta;
+    return out;
+  }
   const double deepest = collide(normal, target.impact, {.end = end}).max_overlap;
   const double unit_k = stuck.mass() / (target.tcol * target.tcol * std::sqrt(deepest));
-  const auto found = mindlin_for(request, normal, end, stuck, unit_k);
+  const auto found = spring_for(out.beta0, normal, end, stuck, unit_k);
   if (const auto* missed = std::get_if<Infeasible>(&found)) return *missed;
-  out.law = std::get<TangentialLaw>(found);
-  out.beta0 = *request.beta0;
+  const auto& spring = std::get<MindlinSpring>(found);
+  out.law = spring.law;
   out.achieved = stuck(out.law).beta;
-  out.algorithm = "bracketed root";
-  if (!request.mindlin) {
-    const Sticking again(normal, end, target.impact, target.tcol);
-    out.cross_difference = apart(out.law, searched(request.form, out.beta0, unit_k, false, again));
-    out.evaluations = again.evaluations();
-  }
+  const Sticking again(normal, end, target.impact, target.tcol);
+  cross_check(out, searched(request.form, out.beta0, unit_k, out.law, spring.log_top, again));
+  out.evaluations = again.evaluations();
   return out;
 }
 
@@ -282,6 +344,22 @@ std::optional<TangentialForm> tangential_form(std::string_view name) noexcept {
   for (const auto form : {TangentialForm::linear, TangentialForm::undamped, TangentialForm::mindlin})
     if (text(form) == name) return form;
   return std::nullopt;
+}
+
+std::optional<Infeasible> out_of_form(TangentialForm form, double beta0, LawKind normal, ContactEnd end) {
+  if (form == TangentialForm::mindlin) return std::nullopt;
+  const bool damped = form == TangentialForm::linear;
+  const double lowest = damped ? 0 : -1;
+  if (beta0 > lowest && beta0 <= 1) return std::nullopt;
+  return Infeasible{.law = normal,
+                    .end = end,
+                    .reason = damped ? "a spring and a dashpot after half a period; linear-undamped goes down to -1"
+                                     : "-1 is no spring at all, 1 a full reversal",
+                    .quantity = "beta0",
+                    .asked = beta0,
+                    .lowest = lowest,
+                    .highest = 1,
+                    .low_open = true};
 }
 
 std::span<const Parameter> parameters_of(TangentialForm form) noexcept {
@@ -303,7 +381,7 @@ TangentialOutcome calibrate_tangential(const TangentialRequest& request, const A
     throw std::invalid_argument("beta0: missing: must be given");
   TangentialOutcome outcome = request.form == TangentialForm::mindlin ? of_mindlin(request, normal, end, target)
                                                                       : of_linear_form(request, normal, end, target);
-  if (auto* found = std::get_if<TangentialCalibration>(&outcome)) tell_of_overlap(*found, end);
+  if (auto* found = std::get_if<TangentialCalibration>(&outcome)) tell_of_end(*found, end);
   return outcome;
 }
 

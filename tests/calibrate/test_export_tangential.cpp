@@ -117,6 +117,29 @@ TEST_CASE("MercuryDPM and MFiX: setters of the sliding species, shares of k and 
         Approx(mindlin.spring(overlap).stiffness).epsilon(1e-12));
 }
 
+TEST_CASE(
+    "friction under attraction, which every engine but Yade has: a contact ended by overlap is close, and says so") {
+  const auto by_overlap = [](Engine engine, double en) {
+    ExportCase what = with(linear, undamped);
+    what.end = ContactEnd::overlap;
+    what.en = en;
+    return export_law(engine, what);
+  };
+  const auto rubs = [](const Snippet& snippet) { return snippet.text.find("limits friction by mu |F_n|"); };
+  for (const Engine engine : {Engine::lammps, Engine::liggghts, Engine::mercurydpm, Engine::mfix}) {
+    CHECK(by_overlap(engine, 0.5).fidelity == Fidelity::close);
+    CHECK(rubs(by_overlap(engine, 0.5)) != std::string::npos);
+    CHECK(by_overlap(engine, 1).fidelity == Fidelity::exact);  // an elastic contact never attracts
+  }
+  CHECK(rubs(by_overlap(Engine::yade, 0.5)) == std::string::npos);
+  CHECK(rubs(export_law(Engine::lammps, with(linear, undamped))) == std::string::npos);
+  CHECK(rubs(export_law(Engine::mfix, with(linear, undamped))) != std::string::npos);  // it ends by overlap
+  ExportCase smooth = with(linear, undamped);
+  smooth.end = ContactEnd::overlap;
+  smooth.tangential.reset();
+  CHECK(export_law(Engine::lammps, smooth).fidelity == Fidelity::exact);
+}
+
 TEST_CASE("no engine has the rigid law, and what a file has of the tangential part it says") {
   for (const Engine engine : engines()) {
     CHECK(export_law(engine, with(linear, RigidTangential{})).fidelity == Fidelity::absent);

@@ -1,4 +1,5 @@
 #include <calibrate/tangential.hpp>
+#include <ricochet/collision/oblique.hpp>
 #include <ricochet/collision/reduction.hpp>
 
 #include <catch2/catch.hpp>
@@ -100,6 +101,7 @@ TEST_CASE("out of a form's range, beta0 is told with the range", "[tangential]")
     const Infeasible out = missed({.beta0 = beta0}, law);
     CHECK(out.quantity == "beta0");
     CHECK((out.lowest == 0 && out.low_open && out.highest == 1 && !out.open));
+    CHECK(out_of_form(TangentialForm::linear, beta0, kind_of<Linear>, ContactEnd::force)->reason == out.reason);
   }
   for (const double beta0 : {-1.0, 1.01}) {
     const Infeasible out = missed({.form = TangentialForm::undamped, .beta0 = beta0}, law);
@@ -126,6 +128,78 @@ TEST_CASE("a contact that ends by overlap lets go in its tangent plane before it
   CHECK(c.achieved ==
         Approx(-std::exp(-D * repulsion) * (std::cos(w * repulsion) - D / w * std::sin(w * repulsion))).epsilon(1e-8));
   CHECK(c.remarks.size() == 1);
+}
+
+TEST_CASE("by overlap a contact that slides throughout rubs as long as it repels: mu (1 + e_force)/(1 + e_n)",
+          "[tangential]") {
+  const AnyLaw law = normal(kind_of<Linear>, ContactEnd::overlap);
+  const double mu = 0.1;
+  const auto c = found({.beta0 = 0.6}, law, ContactEnd::overlap);
+  const auto& spring = std::get<Linear>(law);
+  // Where R reaches 0 the rebound is exp(-2 psi/tan psi) fast, cos psi = c/(2 sqrt(km)).
+  const double psi = std::acos(spring.c() / (2 * std::sqrt(spring.k() * impact.mass_eff)));
+  const double expected = mu * (1 + std::exp(-2 * psi / std::tan(psi))) / (1 + en);
+  CHECK(expected > 1.001 * mu);
+  const auto r = rebounds(c.law, mu, law, ContactEnd::overlap, impact, std::array{85 * pi / 180})[0];
+  CHECK(r.impulse_ratio == Approx(expected).epsilon(1e-8));
+  CHECK(r.et == Approx(1 - expected * (1 + en) / std::tan(r.angle)).epsilon(1e-8));
+}
+
+TEST_CASE("beta0 next to an end of its range: the search finds the closed form's branch, or says how far it is",
+          "[tangential]") {
+  for (const double beta0 : {-0.999999, -0.9999, 0.9999}) {
+    CAPTURE(beta0);
+    const auto c = found({.form = TangentialForm::undamped, .beta0 = beta0}, normal(kind_of<Tsuji>));
+    CHECK(c.cross_difference.value() < 1e-9);
+    CHECK(c.remarks.empty());
+  }
+  const auto c = found({.beta0 = 0.9999999}, normal(kind_of<Tsuji>));
+  CHECK(c.cross_difference.value() > 1e-6);
+  CHECK(c.remarks.size() == 1);
+  const auto elastic = found({.beta0 = 1}, normal(kind_of<Tsuji>));
+  CHECK_FALSE(std::signbit(std::get<LinearTangential>(elastic.law).c_t()));
+}
+
+TEST_CASE("a weak dashpot sticks as asked, though its sliding cannot be followed", "[tangential]") {
+  const AnyLaw law = normal(kind_of<Tsuji>);
+  const auto c = found({.beta0 = 0.9999}, law);
+  CHECK(c.achieved == Approx(0.9999).margin(1e-9));
+  CHECK_THROWS_AS(rebounds(c.law, 0.3, law, ContactEnd::force, impact, usual_angles()), NotConverged);
+}
+
+TEST_CASE("a repulsion that fades lets even endless friction slide, which is said", "[tangential]") {
+  const double least = 1e-6;
+  const AnyLaw law = at_impact(unit_law(kind_of<Linear>, least, ContactEnd::force)->law, tcol, impact).value();
+  const auto c = std::get<TangentialCalibration>(
+      calibrate_tangential({.beta0 = 0.4}, law, ContactEnd::force, {tcol, least, impact}));
+  CHECK(c.achieved > 0.41);
+  REQUIRE(c.remarks.size() == 1);
+  CHECK(c.remarks[0].find("slides") != std::string::npos);
+}
+
+TEST_CASE("the range beside Mindlin's spring ends at extremes, not at samples, and is reached up to there",
+          "[tangential]") {
+  const AnyLaw law = normal(kind_of<Tsuji>);
+  const double k = std::get<MindlinTangential>(found({.form = TangentialForm::mindlin, .beta0 = -0.05}, law).law).k_t();
+  const auto at = [&](double beta0) { return TangentialRequest{TangentialForm::mindlin, beta0, std::nullopt, k}; };
+  const Infeasible below = missed(at(-0.9), law), above = missed(at(0.9), law);
+  CHECK(below.lowest == above.lowest);
+  CHECK(below.highest == above.highest);
+  // Another way: samples ten times as dense as the calibration's own reach no further, and nearly as far.
+  double lowest = 0, highest = 0;
+  for (int i = -400; i <= 240; ++i) {
+    const double c_t = m_t / tcol * std::exp(0.025 * i);
+    const auto out = collide(law, {.law = MindlinTangential(k, c_t), .friction = {1e9, 1e9, 0}},
+                             {.i = {.mass = impact.mass_eff, .radius = 1, .velocity = {0.5, 0, 0.5}}});
+    lowest = std::min(lowest, out.beta.value());
+    highest = std::max(highest, out.beta.value());
+  }
+  CHECK(above.lowest <= lowest + 1e-9);
+  CHECK(above.lowest == Approx(lowest).margin(1e-4));
+  CHECK(above.highest >= highest - 1e-9);
+  CHECK(above.highest == Approx(highest).margin(1e-4));
+  for (const double inside : {above.lowest + 1e-9, above.highest - 1e-9})
+    CHECK(found(at(inside), law).achieved == Approx(inside).margin(1e-9));
 }
 
 TEST_CASE("rebounds: what slides throughout, and what sticks, as they are known in closed form", "[tangential]") {

@@ -22,6 +22,9 @@ enum class TangentialForm {
 /// "linear", "linear-undamped", "mindlin".
 std::string_view text(TangentialForm form) noexcept;
 std::optional<TangentialForm> tangential_form(std::string_view name) noexcept;
+/// Why the form cannot have β₀: (0, 1] is the range of linear, (−1, 1] of linear-undamped; mindlin's hangs on the
+/// normal law, of which nothing is said here.
+std::optional<Infeasible> out_of_form(TangentialForm form, double beta0, LawKind normal, ContactEnd end);
 /// k_t and c_t with their units.
 std::span<const Parameter> parameters_of(TangentialForm form) noexcept;
 
@@ -56,10 +59,12 @@ using TangentialOutcome = std::variant<TangentialCalibration, Infeasible>;
 /// of its own that no normal force enters, so that the two linear forms are closed; mindlin is a bracketed root over
 /// the oblique collision, up to the greatest β₀ that its first half period reaches. Cross-checked by a search (NLopt,
 /// BOBYQA) over the oblique collision at a friction that never slides: β₀, and of `linear` also that nothing is left in
-/// the spring at the end, which is what half a period means.
+/// the spring at the end, which is what half a period means. Where that search ends more than 1e-6 away, a remark says
+/// so: the collision's own error hides what is left, as close to −1 and 1.
 ///
 /// The oblique collision's tangential forces end where repulsion does. Of a contact that ends by overlap the linear
-/// forms go by t_col all the same, as is usual; what then comes out is in `achieved` and a remark.
+/// forms go by t_col all the same, as is usual; what then comes out is in `achieved` and a remark; so it is where
+/// the repulsion falls too low for any friction to hold.
 ///
 /// Infeasible where β₀ is out of the form's range: (0, 1] of linear, (−1, 1] of linear-undamped.
 /// Throws std::invalid_argument for μ < 0, β₀ missing where it is needed.
@@ -78,7 +83,8 @@ struct ObliqueRebound {
 /// Angles of 5° to 85° in steps of 5°.
 std::vector<double> usual_angles();
 
-/// What the contact does to impacts without spin at these angles; μ must be known. Throws std::invalid_argument.
+/// What the contact does to impacts without spin at these angles; μ must be known. Throws std::invalid_argument, and
+/// NotConverged where a contact that slides has a dashpot too weak to be followed, c_t < 2e-5 k_t t_col or so.
 std::vector<ObliqueRebound> rebounds(const TangentialLaw& law, double mu, const AnyLaw& normal, ContactEnd end,
                                      const Impact& impact, std::span<const double> angles);
 

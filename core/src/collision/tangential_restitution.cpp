@@ -17,7 +17,7 @@ LinearTangential tangential_for(double beta0, double tcol, double mass_eff, Stic
     return LinearTangential(m * w * w);
   }
   support::require(beta0 > 0 && beta0 <= 1, "beta0", beta0, "> 0 and <= 1 (damped form)");
-  const double loss = -std::log(beta0);
+  const double loss = 0.0 - std::log(beta0);  // 0, not −0, of β₀ = 1
   return LinearTangential(m * (pi * pi + loss * loss) / (tcol * tcol), 2 * m * loss / tcol);
 }
 
