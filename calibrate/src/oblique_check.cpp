@@ -54,7 +54,9 @@ std::optional<std::string> impossible(const ObliqueFitRequest& request, const Ob
                        support::significant(m.rebound_angle->value * 180 / std::numbers::pi, 15));
   const double greatest =
       request.radius > 0 ? request.spin_share * 2.5 * (1 - least_et) * m.tangential_velocity / request.radius : 0;
-  if (request.radius > 0 && outside(m.spin, 0, greatest, greatest))
+  // With the other sign convention every spin is negative, however small: there the stated error alone is noise.
+  const bool backwards = m.spin && m.spin->value < -3 * m.spin->sigma;
+  if (backwards || (request.radius > 0 && outside(m.spin, 0, greatest, greatest)))
     return fmt::format(
         "spin = {}: must be in [0, {}], forwards as the sphere goes, as energy has it without spin before",
         support::shortest(m.spin->value), support::significant(greatest, 4));

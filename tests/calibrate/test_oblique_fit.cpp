@@ -190,6 +190,8 @@ TEST_CASE("what energy forbids is refused by line, noise is not", "[oblique-fit]
   refused(
       2, [](auto& m) { m.spin->value *= -1; }, "spin = -");
   refused(
+      2, [](auto& m) { m.spin->value = -1e-3; }, "spin = -0.001");
+  refused(
       2, [](auto& m) { m.spin->value = 10 / 7.0 * 1.06 * m.tangential_velocity / radius; }, "spin = ");
   refused(
       3, [](auto& m) { m.rebound_angle = Observed{-0.2}; }, "rebound_angle = -11.");

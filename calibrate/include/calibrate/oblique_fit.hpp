@@ -59,7 +59,8 @@ struct ObliqueFit {
 };
 
 /// Why no contact here can have done that, "et = 5: must be …"; nothing where one can. Of a sphere without spin before
-/// energy has 3/7 ≤ e_t ≤ 1 and 0 ≤ ω r ≤ (10/7) v_t spin_share; 5 % of the greatest, or 3 σ, may be noise.
+/// energy has 3/7 ≤ e_t ≤ 1 and 0 ≤ ω r ≤ (10/7) v_t spin_share; 5 % of the greatest, or 3 σ, may be noise,
+/// but of a spin below 0 3 σ alone.
 std::optional<std::string> impossible(const ObliqueFitRequest& request, const ObliqueMeasurement& m);
 
 /// Weighted least squares over oblique collisions: NLopt (BOBYQA) and Gauss-Newton in ln μ and β₀, up to 0.999, or the
