@@ -58,6 +58,8 @@ console::Exit work(Options& options) {
   if (options.curve && !(options.fit.empty() && options.targets.empty()))
     throw console::BadInput(fmt::format("{}: must be one number with {}", options.curve->flag,
                                         options.fit.empty() ? "--targets" : "--fit"));
+  if (options.fit == "-" && (options.asked.en || options.asked.form))
+    throw console::BadInput("--fit", "-", "a file for oblique impacts, which --en and --tangential speak of");
   if (!options.fit.empty()) return is_oblique(options.fit) ? run_oblique_fit(options) : run_fit(options);
   if (options.alpha_of_speed || !options.figures.empty())
     throw console::BadInput("--alpha-of-speed and --figures: must be left out without --fit");

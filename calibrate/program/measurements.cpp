@@ -1,7 +1,7 @@
 #include "measurements.hpp"
 
 #include <calibrate/known.hpp>
-#include <console/csv.hpp>
+#include <console/exit.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -139,6 +139,15 @@ class Reader {
 };
 
 }  // namespace
+
+bool states_restitution(const std::string& path, const console::CsvHead& head) {
+  try {
+    const console::CsvColumns known(path, head, columns, console::Unknown::ignored);
+    return known.has(en) || known.has(rebound_height) || known.has(rebound_velocity);
+  } catch (const console::BadInput&) {
+    return false;
+  }
+}
 
 Measured read_measurements(const std::string& path, const Shots& shots) { return Reader(path, shots).all(); }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <calibrate/fit.hpp>
+#include <console/csv.hpp>
 
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@ struct Shots {
   std::optional<double> density = {};  ///< [kg/m³], for rows with a radius and no mass
   bool wall = false;                   ///< the sphere hits a wall; else one like it
 };
+
+/// Has the head a restitution, or what makes one?
+bool states_restitution(const std::string& path, const console::CsvHead& head);
 
 /// The rows of a CSV file, in any of the dialects of console/csv.hpp. Columns, with the names that people give them:
 ///

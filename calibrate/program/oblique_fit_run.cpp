@@ -1,5 +1,6 @@
 #include "oblique_fit_run.hpp"
 
+#include "measurements.hpp"
 #include "report.hpp"
 
 #include <console/csv.hpp>
@@ -14,6 +15,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <regex>
+#include <string>
 #include <utility>
 
 namespace ricochet::calibration {
@@ -86,8 +89,21 @@ class Reader {
     for (const auto& [error, of] : {std::pair(et_sigma, et), {rebound_angle_sigma, rebound_angle}, {spin_sigma, spin}})
       if (file_.has(error) && !file_.has(of))
         file_.fail(fmt::format("column = {}: must be left out without {}", columns[error].name, columns[of].name));
+    check_errors();
     if (!file_.has(quantity) && !file_.has(et) && !file_.has(rebound_angle) && !file_.has(spin))
       file_.fail("column et: missing: must be given, or rebound_angle, spin, or quantity and value");
+  }
+
+  /// Standard errors of all that was measured or of nothing: else nobody could weigh one against the other.
+  void check_errors() const {
+    constexpr std::array<std::pair<Column, Column>, 4> pairs{
+        std::pair(et, et_sigma), {rebound_angle, rebound_angle_sigma}, {spin, spin_sigma}, {value, sigma}};
+    const auto some = std::find_if(pairs.begin(), pairs.end(), [&](const auto& p) { return file_.has(p.second); });
+    if (some == pairs.end()) return;
+    for (const auto& [of, error] : pairs)
+      if (file_.has(of) && !file_.has(error))
+        file_.fail(fmt::format("column {}: missing: must be given with {}, errors for every quantity or for none",
+                               columns[error].name, columns[some->second].name));
   }
 
   double positive(std::size_t column) const {
@@ -177,6 +193,12 @@ Table parameter_table(const FitOf& f) {
   return table;
 }
 
+/// Beside a linear spring k.
+std::optional<double> stiffness_ratio(const FitOf& f) {
+  const auto* linear = std::get_if<Linear>(&f.request.normal);
+  return linear ? std::optional(f.fit.law.k_t() / linear->k()) : std::nullopt;
+}
+
 /// k_t and c_t, where t_col is known, and k_t/k beside a spring in ζ, which no time is needed for.
 std::optional<Table> spring_table(const FitOf& f) {
   if (f.fit.parameters.size() != 2) return std::nullopt;
@@ -185,9 +207,13 @@ std::optional<Table> spring_table(const FitOf& f) {
     table.row({"k_t", f.fit.law.k_t(), "kg/s^2"});
     table.row({"c_t", f.fit.law.c_t(), "kg/s"});
   }
-  if (const auto* linear = std::get_if<Linear>(&f.request.normal))
-    table.row({"k_t/k", f.fit.law.k_t() / linear->k(), ""});
+  if (const auto ratio = stiffness_ratio(f)) table.row({"k_t/k", *ratio, ""});
   return table;
+}
+
+/// To the 14 digits that survive the way through both velocities: 30.127, not 30.126999999999995.
+double impact_degrees(const ObliqueMeasurement& m) {
+  return std::stod(console::significant(std::atan2(m.tangential_velocity, m.normal_velocity) / degree, 14));
 }
 
 Table comparison_table(const FitOf& f) {
@@ -206,9 +232,8 @@ Table comparison_table(const FitOf& f) {
     const auto cell = [](const std::optional<Observed>& o, double unit) {
       return o ? console::Cell(o->value / unit) : console::blank();
     };
-    table.row({std::atan2(m.tangential_velocity, m.normal_velocity) / degree, cell(m.et, 1), p.et,
-               cell(m.rebound_angle, degree), p.rebound_angle / degree, cell(m.spin, 1),
-               f.request.radius > 0 ? console::Cell(p.spin) : console::blank()});
+    table.row({impact_degrees(m), cell(m.et, 1), p.et, cell(m.rebound_angle, degree), p.rebound_angle / degree,
+               cell(m.spin, 1), f.request.radius > 0 ? console::Cell(p.spin) : console::blank()});
   }
   return table;
 }
@@ -232,6 +257,8 @@ std::string document_of(const FitOf& f) {
     out["parameters"].push_back({{"name", p.name}, {"value", p.value}, {"standard_error", p.error}});
   out["correlation"] = f.fit.parameters.size() == 2 ? Json(f.fit.correlation) : Json();
   out["beta0"] = f.fit.parameters.size() == 2 ? Json(f.fit.beta0) : Json();
+  const auto ratio = stiffness_ratio(f);
+  out["k_t/k"] = f.fit.parameters.size() == 2 && ratio ? Json(*ratio) : Json();
   if (f.timed && f.fit.parameters.size() == 2) out["spring"] = {{"k_t", f.fit.law.k_t()}, {"c_t", f.fit.law.c_t()}};
   out["chi2"] = f.fit.chi2;
   out["degrees_of_freedom"] = f.fit.freedom;
@@ -289,12 +316,15 @@ bool is_oblique(const std::string& path) {
   if (path == "-") return false;
   console::LineBlocks source(path);
   console::LineBlocks::Block block;
-  const auto head = console::take_csv_head(source, block);
+  auto head = console::take_csv_head(source, block);
   if (!head) return false;
+  const bool normal = states_restitution(path, *head);
+  // Units are the reader's to refuse: by its name alone a column tells what the file is.
+  head->text = std::regex_replace(head->text, std::regex(R"(\s*[\[(][^\])]*[\])])"), "");
   try {
     const console::CsvColumns known(path, *head, columns, console::Unknown::ignored);
-    return known.has(tangential_velocity) ||
-           (known.has(angle) && (known.has(et) || known.has(rebound_angle) || known.has(spin) || known.has(quantity)));
+    const bool rebound = known.has(et) || known.has(rebound_angle) || known.has(spin) || known.has(quantity);
+    return known.has(tangential_velocity) || (known.has(angle) && (rebound || !normal));
   } catch (const BadInput&) {  // then the other reader says what is wrong
     return false;
   }
@@ -323,6 +353,8 @@ console::Exit run_oblique_fit(const Options& options) {
                .tcol = r.request.target.tcol,
                .mass_eff = r.request.target.impact.mass_eff};
   take_bodies(f, options);
+  for (const ObliqueMeasurement& m : f.data)
+    if (const auto why = impossible(f.request, m)) throw BadInput(fmt::format("{}:{}: {}", options.fit, m.line, *why));
   try {
     f.fit = fit_oblique(f.request, f.data);
   } catch (const std::invalid_argument& misuse) {

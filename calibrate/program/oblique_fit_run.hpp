@@ -10,7 +10,8 @@
 
 namespace ricochet::calibration {
 
-/// Is it a file of oblique impacts? Its head then has an angle of impact or a tangential velocity.
+/// Is it a file of oblique impacts? Its head then has a tangential velocity or an angle of impact, in whatever unit,
+/// and no restitution along the normal alone.
 bool is_oblique(const std::string& path);
 
 /// Oblique impacts of a CSV file: the angle of impact [deg] from the normal, with the speed or without, or the

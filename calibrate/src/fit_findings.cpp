@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace ricochet::calibration {
 namespace {
@@ -91,23 +92,28 @@ double median(std::vector<double> values) {
   return *half;
 }
 
-/// A measurement ten times as far off as the middle one of them, in units of its own error where that is known, and by
-/// a hundredth at least where not: rather a slip than chance. With fewer than five nobody could say which is out.
+std::vector<std::size_t> far_out(std::vector<double> residuals, double least) {
+  if (residuals.size() < 5) return {};
+  const double middle = median(residuals);  // one that is far out has drawn the fit away from all the others
+  for (double& x : residuals) x = std::abs(x - middle);
+  const double usual = std::max(median(residuals), least);
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < residuals.size(); ++i)
+    if (residuals[i] > 10 * usual) out.push_back(i);
+  return out;
+}
+
+/// In units of its own error where that is known, and by a hundredth at least where not.
 void add_outliers(std::vector<std::string>& said, const Fit& fit, const VectorXd& r,
                   const std::vector<Measurement>& data) {
-  if (data.size() < 5) return;
   const Index stride = data[0].tcol > 0 ? 2 : 1;
   std::vector<double> off;
   for (Index i = 0; i < r.size(); i += stride) off.push_back(r[i]);
-  const double middle = median(off);  // one that is far out has drawn the fit away from all the others
-  for (double& x : off) x = std::abs(x - middle);
-  const double usual = std::max(median(off), fit.errors_known ? 1.0 : 1e-3);
-  for (std::size_t i = 0; i < data.size(); ++i)
-    if (off[i] > 10 * usual)
-      said.push_back(
-          fmt::format("{}: en = {} at {} m/s lies far outside the others: a slip? The fit takes it as it is",
-                      data[i].line > 0 ? fmt::format("line {}", data[i].line) : fmt::format("measurement {}", i + 1),
-                      support::significant(data[i].en, 4), support::significant(data[i].velocity, 4)));
+  for (const std::size_t i : far_out(std::move(off), fit.errors_known ? 1.0 : 1e-3))
+    said.push_back(
+        fmt::format("{}: en = {} at {} m/s lies far outside the others: a slip? The fit takes it as it is",
+                    data[i].line > 0 ? fmt::format("line {}", data[i].line) : fmt::format("measurement {}", i + 1),
+                    support::significant(data[i].en, 4), support::significant(data[i].velocity, 4)));
 }
 
 std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>& at_the_edge,

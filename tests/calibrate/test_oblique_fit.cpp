@@ -3,9 +3,15 @@
 
 #include <catch2/catch.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <random>
+#include <string_view>
+#include <utility>
 
 using namespace ricochet;
 using namespace ricochet::calibration;
@@ -35,6 +41,26 @@ std::vector<ObliqueMeasurement> sliding(double mu, double noise = 0, double sigm
                    .spin = Observed{2.5 * dv / radius * (1 + noise * normal(random)), 1e3 * sigma}});
   }
   return all;
+}
+
+/// Of 5 mm at 3.9 m/s against a wall, without loss.
+ObliqueFitRequest elastic() {
+  ObliqueFitRequest of = request();
+  of.normal = Linear(mass * std::pow(std::numbers::pi / tcol, 2), 0);
+  return of;
+}
+
+std::vector<ObliqueMeasurement> at_angles(std::initializer_list<std::pair<double, double>> of, double sigma = 0) {
+  std::vector<ObliqueMeasurement> all;
+  for (const auto& [angle, et] : of)
+    all.push_back({.normal_velocity = 3.9 * std::cos(angle * degree),
+                   .tangential_velocity = 3.9 * std::sin(angle * degree),
+                   .et = Observed{et, sigma}});
+  return all;
+}
+
+bool told(const ObliqueFit& fit, std::string_view words) {
+  return std::any_of(fit.findings.begin(), fit.findings.end(), [&](const auto& f) { return f.starts_with(words); });
 }
 
 /// With what is sought, from 2° to 80°, by the collision itself.
@@ -75,21 +101,14 @@ TEST_CASE("oblique data give back the mu and beta0 that made them, in any mix of
 TEST_CASE("the measured grains of Kharaz, Gorham and Salman: mu and k_t near what Di Renzo and Di Maio took",
           "[oblique-fit]") {
   // e_t at 5 mm, 3.9 m/s; their k_t/k_n = 0.86 and mu = 0.092 give 0.806, 0.593, 0.781 at 5, 20, 40 degrees.
-  ObliqueFitRequest of = request();
-  of.normal = Linear(of.mass_eff * std::pow(std::numbers::pi / tcol, 2), 0);
-  std::vector<ObliqueMeasurement> data;
-  for (const auto& [angle, et] : {std::pair(1.84, 0.79344),
-                                  {3.703, 0.74533},
-                                  {9.496, 0.67257},
-                                  {20.012, 0.59691},
-                                  {30.127, 0.68756},
-                                  {39.382, 0.77148},
-                                  {49.694, 0.84761},
-                                  {60.02, 0.90142}})
-    data.push_back({.normal_velocity = 3.9 * std::cos(angle * degree),
-                    .tangential_velocity = 3.9 * std::sin(angle * degree),
-                    .et = Observed{et}});
-  const ObliqueFit fit = fit_oblique(of, data);
+  const ObliqueFit fit = fit_oblique(elastic(), at_angles({{1.84, 0.79344},
+                                                           {3.703, 0.74533},
+                                                           {9.496, 0.67257},
+                                                           {20.012, 0.59691},
+                                                           {30.127, 0.68756},
+                                                           {39.382, 0.77148},
+                                                           {49.694, 0.84761},
+                                                           {60.02, 0.90142}}));
   CHECK(fit.mu == Approx(0.092).margin(0.01));
   CHECK(fit.turn.value() > std::numbers::pi);
   CHECK(fit.parameters[0].error < 0.01);
@@ -119,6 +138,75 @@ TEST_CASE("impacts that all slide tell mu, by its closed form, and say that beta
   const ObliqueFit noisy = fit_oblique(request(), sliding(0.092, 0.003));
   CHECK(std::abs(noisy.mu - 0.092) < 4 * noisy.parameters[0].error);
   CHECK(noisy.parameters[0].error > 0);
+}
+
+TEST_CASE("of springs that turn back once or twice the one that made three angles is found", "[oblique-fit]") {
+  // By the collision itself, with en = 1, mu = 0.092, sqrt(k_t/m_t) tcol = 5.452, to six digits. A spring of 2.19 comes
+  // within 0.0013.
+  const ObliqueFit fit = fit_oblique(elastic(), at_angles({{18, 0.589299}, {20, 0.593122}, {22, 0.601390}}));
+  CHECK(fit.mu == Approx(0.092).margin(1e-4));
+  CHECK(fit.turn.value() == Approx(5.452).margin(1e-3));
+  CHECK(fit.chi2 < 1e-11);
+}
+
+TEST_CASE("mu alone is not told where a spring fits far better, and springs that fit alike are all named",
+          "[oblique-fit]") {
+  // Made by mu = 0.0643, a turn of 4.933; sliding throughout leaves a chi2 of 273.
+  const ObliqueFit fit = fit_oblique(elastic(), at_angles({{15, 0.5796}, {25, 0.7232}, {40, 0.8477}}, 0.002));
+  CHECK(fit.mu == Approx(0.0643).margin(0.001));
+  CHECK(fit.chi2 < 2.75 + 0.01);
+  CHECK(fit.parameters.size() == 2);
+  REQUIRE(fit.findings.size() == 1);
+  CHECK(fit.findings[0].starts_with("another spring fits about as well: k_t/k = "));
+}
+
+TEST_CASE("an undamped contact fitted with a dashpot: beta0 at the end of its range, in words", "[oblique-fit]") {
+  auto of = elastic();
+  of.form = TangentialForm::linear;
+  // Sticking with beta0 = 1: e_t = 1 - (2/7) (1 + 1) at every angle.
+  const ObliqueFit fit = fit_oblique(of, at_angles({{10, 3.0 / 7}, {20, 3.0 / 7}, {30, 3.0 / 7}}));
+  CHECK(fit.beta0 == Approx(0.999).epsilon(1e-6));
+  CHECK(told(fit, "beta0 has run to 0.999"));
+}
+
+TEST_CASE("one slip of the pen among the impacts is named by its line", "[oblique-fit]") {
+  auto data = sliding(0.092);
+  data[2].line = 4;
+  data[2].et->value -= 0.3;
+  CHECK(told(fit_oblique(request(), data), "line 4: et = "));
+}
+
+TEST_CASE("what energy forbids is refused by line, noise is not", "[oblique-fit]") {
+  const auto refused = [](std::size_t i, const auto& change, const char* words) {
+    auto data = sliding(0.1);
+    data[i].line = i + 2;
+    change(data[i]);
+    CHECK_THROWS_WITH(fit_oblique(request(), data), Catch::Contains(fmt::format("line {}: {}", i + 2, words)));
+  };
+  refused(
+      1, [](auto& m) { m.et->value = 5.97; }, "et = 5.97: must be in [3/7, 1]");
+  refused(
+      1, [](auto& m) { m.et->value = 0.37; }, "et = 0.37");
+  refused(
+      2, [](auto& m) { m.spin->value *= -1; }, "spin = -");
+  refused(
+      2, [](auto& m) { m.spin->value = -1e-3; }, "spin = -0.001");
+  refused(
+      2, [](auto& m) { m.spin->value = 10 / 7.0 * 1.06 * m.tangential_velocity / radius; }, "spin = ");
+  refused(
+      3, [](auto& m) { m.rebound_angle = Observed{-0.2}; }, "rebound_angle = -11.");
+  auto m = sliding(0.1).front();
+  m.et->value = 1.04;
+  CHECK_FALSE(impossible(request(), m));
+  m.et = Observed{1.1, 0.04};
+  CHECK_FALSE(impossible(request(), m));
+  m.spin->value = 10 / 7.0 * 1.04 * m.tangential_velocity / radius;
+  CHECK_FALSE(impossible(request(), m));
+}
+
+TEST_CASE("impacts of one angle do not tell two unknowns", "[oblique-fit]") {
+  CHECK_THROWS_WITH(fit_oblique(elastic(), at_angles({{20, 0.6}, {20, 0.6}, {20, 0.6}})),
+                    Catch::Contains("angles = 1"));
 }
 
 TEST_CASE("oblique data that are none", "[oblique-fit]") {

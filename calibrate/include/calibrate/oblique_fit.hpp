@@ -58,14 +58,20 @@ struct ObliqueFit {
   std::vector<std::string> findings = {};
 };
 
-/// Weighted least squares over oblique collisions: NLopt (BOBYQA) in ln μ and β₀, or the turn √(k_t/m_t) t_col of a
-/// spring without dashpot, which goes up to 3π (grains turn back more than once), from a coarse scan, then
-/// Gauss-Newton; errors from (JᵀJ)⁻¹, times the scatter where σ is not known. Of impacts that all slide throughout μ
-/// alone is told, of impacts none of which slides β₀ is told and μ by what the ends of a contact slip; what is not told
-/// is said.
+/// Why no contact here can have done that, "et = 5: must be …"; nothing where one can. Of a sphere without spin before
+/// energy has 3/7 ≤ e_t ≤ 1 and 0 ≤ ω r ≤ (10/7) v_t spin_share; 5 % of the greatest, or 3 σ, may be noise,
+/// but of a spin below 0 3 σ alone.
+std::optional<std::string> impossible(const ObliqueFitRequest& request, const ObliqueMeasurement& m);
+
+/// Weighted least squares over oblique collisions: NLopt (BOBYQA) and Gauss-Newton in ln μ and β₀, up to 0.999, or the
+/// turn √(k_t/m_t) t_col of a spring without dashpot, which goes up to 3π (grains turn back more than once), from the
+/// eight best local minima of a scan; errors from (JᵀJ)⁻¹, times the scatter where σ is not known. Of impacts that all
+/// slide throughout μ alone is told, of impacts none of which slides β₀ is told and μ by what the ends of a contact
+/// slip; what is not told is said, and other springs within three standard errors are named.
 ///
-/// Throws std::invalid_argument for data outside their domain, standard errors for some only, spins without a radius,
-/// or no more observations than unknowns; NotConverged where a collision could not be followed.
+/// Throws std::invalid_argument for data outside their domain or `impossible`, standard errors for some only, spins
+/// without a radius, no more observations than unknowns, or a single angle; NotConverged where a collision could not be
+/// followed.
 ObliqueFit fit_oblique(const ObliqueFitRequest& request, const std::vector<ObliqueMeasurement>& data);
 
 }  // namespace ricochet::calibration
