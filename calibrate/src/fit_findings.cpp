@@ -109,7 +109,8 @@ void add_outliers(std::vector<std::string>& said, const Fit& fit, const VectorXd
   const Index stride = data[0].tcol > 0 ? 2 : 1;
   std::vector<double> off;
   for (Index i = 0; i < r.size(); i += stride) off.push_back(r[i]);
-  for (const std::size_t i : far_out(std::move(off), fit.errors_known ? 1.0 : 1e-3))
+  const auto found = far_out(std::move(off), fit.errors_known ? 1.0 : 1e-3);
+  for (const std::size_t i : found)
     said.push_back(
         fmt::format("{}: en = {} at {} m/s lies far outside the others: a slip? The fit takes it as it is",
                     data[i].line > 0 ? fmt::format("line {}", data[i].line) : fmt::format("measurement {}", i + 1),
