@@ -352,3 +352,18 @@ TEST_CASE("a limit without a spring is named, a stiff spring asks for a shorter 
   CHECK(stiffest_contact(oblique(20, 0.1, LinearTangential(k_t))).tcol ==
         Approx(tcol * std::sqrt(2.0 / 7 * k_n / k_t)));
 }
+
+TEST_CASE("a spring whose limit is 0 holds nothing: all is as without friction") {
+  const auto after = [](const TangentialLaw& law) {
+    Cluster cluster(oblique(40, 0, law), {.step = tcol / 100});
+    double strained = 0;
+    while (cluster.velocity(0).z <= 0) {
+      cluster.step();
+      strained = std::max(strained, cluster.energy().strained);
+    }
+    CHECK(strained == 0);
+    CHECK(cluster.energy().lost_friction == 0);
+    return std::pair(cluster.energy().total(), cluster.velocity(0));
+  };
+  CHECK(after(LinearTangential(k_t, 1)) == after(RigidTangential{}));
+}

@@ -94,9 +94,11 @@ void Cluster::add_models(const Interactions& interactions) {
     kernel_error_ = std::max(kernel_error_, normal->kernel_error());
     const TangentialContact tangential{interaction.tangential, interaction.friction, interaction.torsion,
                                        interaction.rolling};
-    const bool springs = compliant(interaction.tangential);
-    has_springs_ = has_springs_ || springs;
-    models_.push_back({tangential, springs, interaction.end, interaction.breakage_energy, std::move(normal), {}});
+    Model& model = models_.emplace_back(
+        Model{tangential, false, interaction.end, interaction.breakage_energy, std::move(normal), {}});
+    model.compliant =
+        compliant(interaction.tangential) && model.rubs();  // where all limits are 0 no spring is strained
+    has_springs_ = has_springs_ || model.compliant;
   }
 }
 
