@@ -463,8 +463,7 @@ double mindlin_modulus(const PairCase& pair) { return sliding_of(pair).k_t / std
 std::string dashpot_feels_slip(std::string_view engine) {
   return fmt::format(
       "{}'s tangential dashpot feels the whole slip of a contact that slides: the law asked for has its slider in "
-      "series "
-      "with spring and dashpot. The rebound differs where the contact slides and c_t > 0.",
+      "series with spring and dashpot. The rebound differs where the contact slides and c_t > 0.",
       engine);
 }
 

@@ -52,6 +52,19 @@ void check_same(const Cluster& a, const Cluster& b, double speed, auto&& map_vec
 const auto same_vector = [](Vec3 v) { return v; };
 const auto same_index = [](std::size_t i) { return i; };
 
+// The sums of the sizes of what adds up to the momentum and the angular momentum: rounding is relative to these.
+struct MomentumScales {
+  double momentum = 0, angular = 0;
+};
+MomentumScales momentum_scales(const ClusterSetup& setup) {
+  MomentumScales sum;
+  for (const Sphere& s : setup.spheres) {
+    sum.momentum += s.mass() * norm(s.velocity);
+    sum.angular += s.mass() * norm(s.position) * norm(s.velocity) + s.inertia() * norm(s.spin);
+  }
+  return sum;
+}
+
 }  // namespace
 
 TEST_CASE("a free cluster with friction conserves momentum and angular momentum and closes its energy balance") {
@@ -59,11 +72,7 @@ TEST_CASE("a free cluster with friction conserves momentum and angular momentum 
                               AnyLaw(Hysteretic(15000, 25000)), AnyLaw(Fractional(20000, 1, 0.3)));
   CAPTURE(std::string(name(law)));
   const ClusterSetup setup = random_clump(7, law, rough);
-  double momentum_scale = 0, angular_scale = 0;
-  for (const Sphere& s : setup.spheres) {
-    momentum_scale += s.mass() * norm(s.velocity);
-    angular_scale += s.mass() * norm(s.position) * norm(s.velocity) + s.inertia() * norm(s.spin);
-  }
+  const auto [momentum_scale, angular_scale] = momentum_scales(setup);
   double drift[2] = {}, growth[2] = {};
   for (int k = 0; k < 2; ++k) {
     Cluster cluster(setup, {.step = step / (1 << k)});
@@ -102,11 +111,7 @@ TEST_CASE("springs in the tangent plane conserve what friction does, and never m
                                      TangentialLaw(MindlinTangential(4e5)));
   CAPTURE(std::string(name(law)));
   const ClusterSetup setup = with_springs(random_clump(7, Linear(20000, 0.6), rough), law);
-  double momentum_scale = 0, angular_scale = 0;
-  for (const Sphere& s : setup.spheres) {
-    momentum_scale += s.mass() * norm(s.velocity);
-    angular_scale += s.mass() * norm(s.position) * norm(s.velocity) + s.inertia() * norm(s.spin);
-  }
+  const auto [momentum_scale, angular_scale] = momentum_scales(setup);
   double drift[2] = {}, growth[2] = {};
   for (int k = 0; k < 2; ++k) {
     Cluster cluster(setup, {.step = step / (1 << k)});
