@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <simulate/run.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -182,4 +183,26 @@ TEST_CASE("a step may be a 20th of the shortest collision, and no more") {
   };
   CHECK_NOTHROW(read_scene("s.json", with_step(1 / 20.2)));
   CHECK_THROWS_WITH(read_scene("s.json", with_step(1 / 19.8)), Catch::Contains("a 20th of the 0.002 s that"));
+}
+
+TEST_CASE("what springs hold stands under its own name: both swing, along the normal with m, across it with (2/7) m") {
+  constexpr double r = 0.002, k = 1e8, k_t = 3e7, away = 1, along = 0.1, t = 1.1e-6;
+  const double m = 4.0 / 3 * pi * r * r * r * 2500, m_t = 2.0 / 7 * m;
+  const Written run(R"({"duration": 1.1e-6, "materials": {"g": {"density": 2500}, "w": {}},
+    "interactions": [{"between": ["g", "w"], "law": {"name": "linear", "k": 1e8, "c": 0},
+                      "friction": {"mu_static": 1e6, "model": "linear", "k_t": 3e7, "torsion": false}},
+                     {"between": ["g", "g"], "law": {"name": "linear", "k": 1e8, "c": 0}}],
+    "walls": [{"point": [0, 0, 0], "inward": [0, 0, 1], "material": "w"}],
+    "spheres": [{"material": "g", "radius": 0.002, "position": [0, 0, 0.002], "velocity": [0.1, 0, -1]}]})");
+  const Lines names = split(run.energy.front(), ','), values = split(run.energy.back(), ',');
+  const auto column = [&](const std::string& name) {
+    return std::stod(values.at(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())));
+  };
+  const auto held = [t](double mass, double stiffness, double speed) {
+    const double s = std::sin(std::sqrt(stiffness / mass) * t);
+    return 0.5 * mass * speed * speed * s * s;
+  };
+  CHECK(column("stored [J]") == Approx(held(m, k, away)).epsilon(2e-3));
+  CHECK(column("strained [J]") == Approx(held(m_t, k_t, along)).epsilon(2e-3));
+  CHECK(column("total [J]") == Approx(0.5 * m * (away * away + along * along)).epsilon(1e-3));
 }
