@@ -70,8 +70,7 @@ bool same_along(const Wall& wall, Vec3 period) {
     if (std::holds_alternative<surface::Plane>(wall.form)) return std::abs(dot(axis, along)) <= 1e-12;
     return std::holds_alternative<surface::Cylinder>(wall.form) && norm(tangential(along, axis)) <= 1e-12;
   };
-  return (period.x == 0 || same({1, 0, 0})) && (period.y == 0 || same({0, 1, 0})) &&
-         (period.z == 0 || same({0, 0, 1}));
+  return (period.x == 0 || same({1, 0, 0})) && (period.y == 0 || same({0, 1, 0})) && (period.z == 0 || same({0, 0, 1}));
 }
 
 void check_periods(const ClusterSetup& setup) {
@@ -128,7 +127,8 @@ void check(const ClusterSetup& setup) {
       throw std::invalid_argument(who + " " + wrong.what());
     }
     if (!same_along(setup.walls[w], setup.periodic.period))
-      throw std::invalid_argument(who + ": must be the same all along a periodic axis, so a plane or cylinder along it");
+      throw std::invalid_argument(who +
+                                  ": must be the same all along a periodic axis, so a plane or cylinder along it");
   }
   require_finite("gravity", setup.gravity);
   check_periods(setup);

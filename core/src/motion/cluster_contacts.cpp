@@ -105,8 +105,7 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
   const Vec3 v = relative_velocity(i, j);
   const double rate = dot(v, g.normal);
   double since =
-      j < size() ? time_since_separation(branch(i, j), -v, radii_[i] + radii_[j])
-                 : (rate < 0 ? g.overlap / rate : 0.0);
+      j < size() ? time_since_separation(branch(i, j), -v, radii_[i] + radii_[j]) : (rate < 0 ? g.overlap / rate : 0.0);
   since = std::min(since, h);
   c.record.separation = time() + 0.5 * h - since;
   if (c.record.end == Encounter::never) {

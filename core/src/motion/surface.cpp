@@ -26,8 +26,7 @@ struct Nearest {
     const auto [direction, distance] = radial();
     // In the plane of axis and centre: the nearest point of the segment from (0, first) to (length, last).
     const double rise = c.last - c.first, square = c.length * c.length + rise * rise;
-    const double share =
-        std::clamp((dot(x, axis) * c.length + (distance - c.first) * rise) / square, 0.0, 1.0);
+    const double share = std::clamp((dot(x, axis) * c.length + (distance - c.first) * rise) / square, 0.0, 1.0);
     return share * c.length * axis + (c.first + share * rise) * direction;
   }
   Vec3 operator()(const surface::Plate& p) const noexcept {

@@ -65,9 +65,9 @@ struct ClusterState {
 };
 
 /// Where a motion says nothing any more: bodies that went into each other by more than 1.5 of the smaller radius (the
-/// softest of the paper's own cases goes in by more than 1), on the way to the other side; a centre that
-/// went through a surface which ends somewhere; or a sphere (`j` is then `i`) that a single step moves by its radius, so
-/// that it could miss whom it meets.
+/// softest of the paper's own cases goes in by more than 1), on the way to the other side; a centre that went through a
+/// surface which ends somewhere; or a sphere (`j` is then `i`) that a single step moves by its radius, so that it could
+/// miss whom it meets.
 struct Breakthrough {
   static constexpr double share = 1.5;
   std::uint32_t i = 0, j = 0;  ///< bodies; walls count from the number of spheres

@@ -14,18 +14,18 @@ class Surface {
   ContactGeometry meet(Vec3 x, double r, double time) const noexcept {
     return flat_ ? sphere_wall(x, r, point(time), axis_) : meet_curved(x - point(time), r);
   }
-  Vec3 velocity(double time) const noexcept;                ///< of its points, spin apart [m/s]
+  Vec3 velocity(double time) const noexcept;                 ///< of its points, spin apart [m/s]
   Vec3 spin() const noexcept { return wall_spin_ * axis_; }  ///< [1/s]
   /// What the spin adds to the velocity at a point [m/s].
   Vec3 swept(Vec3 at, double time) const noexcept { return wall_spin_ * cross(axis_, at - point(time)); }
   /// By how much distances to it can have changed between two times [m].
   double moved(double from, double to) const noexcept;
 
-  bool flat() const noexcept { return flat_; }                           ///< a plane without end
-  bool travels() const noexcept { return travels_; }                     ///< changes its place
+  bool flat() const noexcept { return flat_; }        ///< a plane without end
+  bool travels() const noexcept { return travels_; }  ///< changes its place
   bool spins() const noexcept { return wall_spin_ != 0; }
-  bool swings() const noexcept { return swings_; }                       ///< changes its velocity
-  bool drives() const noexcept { return travels_ || wall_spin_ != 0; }   ///< does work
+  bool swings() const noexcept { return swings_; }                      ///< changes its velocity
+  bool drives() const noexcept { return travels_ || wall_spin_ != 0; }  ///< does work
   bool two_sided() const noexcept { return two_sided_; }
 
  private:
