@@ -313,9 +313,10 @@ void check_space(const Node& root, const Scene& scene) {
 Scene read_scene(const std::string& file, const std::string& text) {
   const console::Json json = console::parse_json(file, text, "docs/scenes.md");
   const Node root(file, text, json);
-  root.allow({"schema",       "title",   "duration", "output_interval", "step",     "gravity", "materials",
-              "interactions", "spheres", "start",    "lattice",         "pour",     "walls",   "boxes",
-              "cylinders",    "cones",   "rings",    "plates",          "periodic", "outlets", "reclosing"});
+  root.allow({"schema",    "title",        "duration",  "output_interval", "step",    "gravity",
+              "materials", "interactions", "spheres",   "start",           "lattice", "pour",
+              "walls",     "boxes",        "cylinders", "cones",           "rings",   "plates",
+              "periodic",  "outlets",      "reclosing", "insist"});
   if (root.has("schema")) root.at("schema").one_of({"ricochet/scene/1"});
   if (root.has("title")) root.at("title").text();
   Scene scene;
