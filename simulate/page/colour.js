@@ -24,15 +24,12 @@ function quantity(value, unit, like = value) {
   return `${Math.abs(digits) >= 1e5 ? digits.toExponential() : digits} ${prefix}${unit}`;
 }
 
-/// What can be shown by colour: for each a function that fills `out` with places in the table, from 0 to 1.
+/// What can be shown by colour: for each the place in the table, from 0 to 1, of the k-th sphere of a frame.
 function makeColourings(motion) {
   const {facts} = motion;
   const moving = (name, values, {quantum, top, greatest}, unit) => ({
     name, unit, table: rampTable(), range: [0, top], beyond: greatest > top,
-    fill(frame, out) {
-      const from = motion.start(frame), count = motion.count(frame), factor = quantum / top;
-      for (let i = 0; i < count; ++i) out[i] = Math.min(1, factor * values[from + i]);
-    },
+    tone: (frame, k) => Math.min(1, quantum / top * values[motion.start(frame) + k]),
   });
   const [least, greatest] = facts.radiusRange;
   return {
@@ -40,16 +37,12 @@ function makeColourings(motion) {
     spin: moving('Spin', motion.spins, facts.spin, '1/s'),
     size: {
       name: 'Radius', unit: 'm', table: rampTable(), range: [least, greatest], beyond: false,
-      fill(frame, out) {
-        for (let i = 0; i < motion.count(frame); ++i)
-          out[i] = greatest > least ? (motion.metres[i] - least) / (greatest - least) : 0.5;
-      },
+      tone: (frame, k) =>
+        greatest > least ? (motion.metres[motion.present(frame)[k]] - least) / (greatest - least) : 0.5,
     },
     material: {
       name: 'Material', names: facts.species, table: namedTable(),
-      fill(frame, out) {
-        for (let i = 0; i < motion.count(frame); ++i) out[i] = (motion.species[i] % 256 + 0.5) / 256;
-      },
+      tone: (frame, k) => (motion.species[motion.present(frame)[k]] % 256 + 0.5) / 256,
     },
   };
 }

@@ -26,6 +26,7 @@ function readMotion() {
   const spins = new Uint16Array(bytesOf('motion-spins').buffer);
   const radii = new Float32Array(bytesOf('motion-radii').buffer);
   const species = new Uint16Array(bytesOf('motion-species').buffer);
+  const present = new Index(bytesOf('motion-present').buffer);
   const {low, high} = facts.focus;
   const middle = low.map((x, a) => (x + high[a]) / 2);
   const scale = 2 / Math.hypot(...low.map((x, a) => high[a] - x));
@@ -38,6 +39,8 @@ function readMotion() {
     frames: facts.times.length, most: Math.max(...facts.counts), speeds, spins,
     count: frame => facts.counts[frame],
     start: frame => starts[frame],
+    present: frame => present.subarray(starts[frame], starts[frame + 1]),
+    period: facts.period.map(x => x * scale),
     corners: [0, 1, 2, 3, 4, 5, 6, 7].map(k => scaled([0, 1, 2].map(a => (k >> a) & 1 ? high[a] : low[a]))),
     places(frame, out) {
       const from = 3 * starts[frame], length = 3 * facts.counts[frame];

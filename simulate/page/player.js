@@ -48,7 +48,7 @@ function startPlayer() {
   const draw = () => {
     fit();
     inks();
-    picture.set(state.moment, colourings[state.colour], state);
+    picture.set(state.moment, timeAt(state.moment), colourings[state.colour], state);
     const seen = camera.seen(stage.width / stage.height);
     renderer.draw(seen, picture);
     at('time').value = state.moment;

@@ -132,7 +132,7 @@ function makeWebgl(canvas) {
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       gl.enable(gl.DEPTH_TEST);
       drawSpheres(seen, picture);
-      drawLines(seen, 'walls', picture.walls, picture.walls.length, picture.wallInk, false);
+      drawLines(seen, 'walls', picture.walls, picture.walls.length, picture.wallInk, true);
       drawLines(seen, 'contacts', picture.contacts, picture.contactLength, picture.ink, true);
     },
   };

@@ -14,7 +14,8 @@ struct MotionData {
   double place_error = 0, speed_error = 0, spin_error = 0;  ///< of what is kept, at most; places along each axis
 };
 
-MotionData motion_data(const ShownMotion& motion, const std::vector<Polyline>& outlines, Vec3 upward);
+/// `period` along each axis [m], 0 where space does not repeat.
+MotionData motion_data(const ShownMotion& motion, const std::vector<WallOutline>& outlines, Vec3 upward, Vec3 period);
 
 /// Of simulate/page, put together when the program is built.
 extern const std::string_view view_style, view_script;

@@ -1,7 +1,8 @@
 #include "motion.hpp"
 
 #include <console/exit.hpp>
-#include <ricochet/motion/linked_cells.hpp>
+#include <ricochet/motion/engine/surface.hpp>
+#include <ricochet/motion/periodic.hpp>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 namespace ricochet::simulate {
 namespace {
@@ -23,42 +25,51 @@ std::vector<std::size_t> evenly_spread(std::size_t frames, std::size_t kept) {
   return numbers;
 }
 
-std::vector<SeenPair> overlapping(const SeenFrame& frame) {
+std::vector<SeenPair> overlapping(const SeenFrame& frame, const Periodic& periodic) {
   std::vector<Vec3> positions;
   std::vector<double> radii;
   for (const SeenGrain& g : frame.grains) positions.push_back(g.position), radii.push_back(g.radius);
   std::vector<SeenPair> pairs;
-  for (const auto& [i, j] : near_pairs(positions, radii, 0)) pairs.push_back({i, j});
+  for (const auto& [i, j] : near_pairs(positions, radii, 0, periodic)) pairs.push_back({i, j});
   return pairs;
 }
 
-std::vector<SeenTouch> touching(const SeenFrame& frame, const std::vector<Wall>& walls) {
+std::vector<SeenTouch> touching(const SeenFrame& frame, const std::vector<motion::Surface>& walls) {
   std::vector<SeenTouch> touches;
-  for (const Wall& wall : walls) {
-    const Vec3 inward = wall.inward / norm(wall.inward);
-    for (std::uint32_t i = 0; i < frame.grains.size(); ++i)
-      if (dot(frame.grains[i].position - wall.point, inward) < frame.grains[i].radius) touches.push_back({i, -inward});
-  }
+  for (const motion::Surface& wall : walls)
+    for (std::uint32_t i = 0; i < frame.grains.size(); ++i) {
+      const ContactGeometry g = wall.meet(frame.grains[i].position, frame.grains[i].radius, frame.time);
+      if (g.overlap > 0) touches.push_back({i, g.normal});
+    }
   return touches;
 }
 
-// Spheres are known by their place in the frame: a page cannot follow a sphere that changes it.
-void check_same(const SeenFrame& a, const SeenFrame& b) {
-  for (std::size_t i = 0; i < std::min(a.grains.size(), b.grains.size()); ++i)
-    if (a.grains[i].radius != b.grains[i].radius)
-      throw console::BadInput(fmt::format(
-          "trajectory.xyz: sphere {} has another radius at {} s than before: only spheres that stay the same are shown",
-          i + 1, b.time));
-}
+/// Who is who in all frames.
+class Cast {
+ public:
+  explicit Cast(ShownMotion& shown) : shown_(shown) {}
+  void see(const SeenFrame& frame) {
+    std::vector<std::uint32_t> present;
+    present.reserve(frame.grains.size());
+    for (const SeenGrain& g : frame.grains) {
+      const auto [known, fresh] = places_.emplace(g.id, static_cast<std::uint32_t>(shown_.cast.size()));
+      if (fresh) shown_.cast.push_back(g);
+      if (shown_.cast[known->second].radius != g.radius)
+        throw console::BadInput(
+            fmt::format("trajectory.xyz: sphere {} has another radius at {} s than before", g.id, frame.time));
+      present.push_back(known->second);
+    }
+    shown_.present.push_back(present);
+  }
+
+ private:
+  ShownMotion& shown_;
+  std::unordered_map<std::uint64_t, std::uint32_t> places_;
+};
 
 std::array<double, 3> by_axis(Vec3 v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
-
-const SeenFrame& ShownMotion::fullest() const {
-  return *std::max_element(frames.begin(), frames.end(),
-                           [](const auto& a, const auto& b) { return a.grains.size() < b.grains.size(); });
-}
 
 Region ShownMotion::centres() const {
   Region all{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
@@ -96,18 +107,20 @@ Region ShownMotion::focus() const {
   return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
-ShownMotion read_motion(TrajectoryFile& file, const std::vector<Wall>& walls, std::size_t most) {
+ShownMotion read_motion(TrajectoryFile& file, const ClusterSetup& setup, std::size_t most) {
   ShownMotion shown;
   shown.frames_written = file.size();
   std::size_t grains = 0;
   for (std::size_t k = 0; k < file.size(); ++k) grains = std::max(grains, file.grains(k));
   if (grains == 0) throw console::BadInput("trajectory.xyz: no frame holds a sphere");
   const std::size_t kept = std::min(file.size(), std::max<std::size_t>(2, most / grains));
+  const std::vector<motion::Surface> walls(setup.walls.begin(), setup.walls.end());
+  Cast cast(shown);
   for (const std::size_t number : evenly_spread(file.size(), kept)) {
     shown.frames.push_back(file.frame(number));
     const SeenFrame& frame = shown.frames.back();
-    check_same(shown.fullest(), frame);
-    shown.pairs.push_back(overlapping(frame));
+    cast.see(frame);
+    shown.pairs.push_back(overlapping(frame, setup.periodic));
     shown.touches.push_back(touching(frame, walls));
   }
   shown.species = file.species();

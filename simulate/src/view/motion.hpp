@@ -10,7 +10,7 @@
 
 namespace ricochet::simulate {
 
-/// Two spheres that overlap.
+/// Two spheres that overlap, by their places in the frame.
 struct SeenPair {
   std::uint32_t i, j;
 };
@@ -33,9 +33,10 @@ struct ShownMotion {
   std::vector<std::vector<SeenPair>> pairs;
   std::vector<std::vector<SeenTouch>> touches;
   std::vector<std::string> species;
+  /// Every sphere that is there at some time, in the order of coming; of each frame, which of them are there.
+  std::vector<SeenGrain> cast;
+  std::vector<std::vector<std::uint32_t>> present;
 
-  /// The frame with the most spheres; the others hold the first of these.
-  const SeenFrame& fullest() const;
   /// Around all centres.
   Region centres() const;
   /// Around all spheres but a few that went astray: what a picture shall show.
@@ -47,6 +48,6 @@ inline constexpr std::size_t most_shown = 1'600'000;
 
 /// Reads all frames, or, where these are more than `most` spheres times frames, as many as fit, two at least, evenly
 /// spread from the first to the last.
-ShownMotion read_motion(TrajectoryFile& file, const std::vector<Wall>& walls, std::size_t most = most_shown);
+ShownMotion read_motion(TrajectoryFile& file, const ClusterSetup& setup, std::size_t most = most_shown);
 
 }  // namespace ricochet::simulate

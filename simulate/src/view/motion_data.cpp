@@ -70,8 +70,8 @@ struct Places {
 
   static bool needs_width(const ShownMotion& motion, const Region& all) {
     const Vec3 extent = all.high - all.low;
-    double smallest = motion.fullest().grains.front().radius;
-    for (const SeenGrain& g : motion.fullest().grains) smallest = std::min(smallest, g.radius);
+    double smallest = motion.cast.front().radius;
+    for (const SeenGrain& g : motion.cast) smallest = std::min(smallest, g.radius);
     return Quanta(0, std::max({extent.x, extent.y, extent.z}), false).quantum / 2 > visible_share * smallest;
   }
   Places(const ShownMotion& motion, const Region& all)
@@ -101,15 +101,17 @@ std::string contact_elements(const ShownMotion& motion, int index_bytes) {
   return element("motion-pairs", pairs) + element("motion-touching", touching) + element("motion-towards", towards);
 }
 
-std::string sphere_elements(const SeenFrame& frame) {
-  Bytes radii, species;
-  for (const SeenGrain& g : frame.grains) radii.add(static_cast<float>(g.radius)), species.add(g.species, 2);
-  return element("motion-radii", radii) + element("motion-species", species);
+std::string sphere_elements(const ShownMotion& motion, int index_bytes) {
+  Bytes radii, species, present;
+  for (const SeenGrain& g : motion.cast) radii.add(static_cast<float>(g.radius)), species.add(g.species, 2);
+  for (const auto& frame : motion.present)
+    for (const std::uint32_t sphere : frame) present.add(sphere, index_bytes);
+  return element("motion-radii", radii) + element("motion-species", species) + element("motion-present", present);
 }
 
-Json radius_range(const SeenFrame& frame) {
-  const auto [least, greatest] = std::minmax_element(frame.grains.begin(), frame.grains.end(),
-                                                     [](const auto& a, const auto& b) { return a.radius < b.radius; });
+Json radius_range(const std::vector<SeenGrain>& cast) {
+  const auto [least, greatest] =
+      std::minmax_element(cast.begin(), cast.end(), [](const auto& a, const auto& b) { return a.radius < b.radius; });
   return {least->radius, greatest->radius};
 }
 
@@ -119,14 +121,25 @@ double fastest(const SeenFrame& frame) {
   return speed;
 }
 
-Json json_of(const std::vector<Polyline>& outlines) {
-  Json lines = Json::array();
-  for (const Polyline& outline : outlines) {
-    Json points = Json::array();
-    for (const Vec3 p : outline) points.push_back(array_of(p));
-    lines.push_back(points);
+Json json_of(const std::vector<WallOutline>& outlines) {
+  Json walls = Json::array();
+  for (const WallOutline& outline : outlines) {
+    Json lines = Json::array();
+    for (const Polyline& line : outline.lines) {
+      Json points = Json::array();
+      for (const Vec3 p : line) points.push_back(array_of(p));
+      lines.push_back(points);
+    }
+    const WallMotion& m = outline.motion;
+    walls.push_back({{"lines", lines},
+                     {"point", array_of(outline.point)},
+                     {"axis", array_of(outline.axis)},
+                     {"velocity", array_of(m.velocity)},
+                     {"spin", m.spin},
+                     {"amplitude", array_of(m.amplitude)},
+                     {"frequency", m.frequency}});
   }
-  return lines;
+  return walls;
 }
 
 // Within a script element only "<" could end it.
@@ -138,14 +151,13 @@ std::string facts_element(const Json& facts) {
 
 }  // namespace
 
-MotionData motion_data(const ShownMotion& motion, const std::vector<Polyline>& outlines, Vec3 upward) {
+MotionData motion_data(const ShownMotion& motion, const std::vector<WallOutline>& outlines, Vec3 upward, Vec3 period) {
   const std::size_t frames = motion.frames.size();
-  const SeenFrame& fullest = motion.fullest();
   const Region all = motion.centres(), focus = with_walls(motion.focus(), outlines);
   const Places places(motion, all);
   const Magnitudes speeds(motion, [](const SeenGrain& g) { return g.velocity; });
   const Magnitudes spins(motion, [](const SeenGrain& g) { return g.spin; });
-  const bool many = fullest.grains.size() > 0x10000;
+  const bool many = motion.cast.size() > 0x10000;
   const Json facts = {{"times", counts(frames, [&](std::size_t k) { return motion.frames[k].time; })},
                       {"counts", counts(frames, [&](std::size_t k) { return motion.frames[k].grains.size(); })},
                       {"pairs", counts(frames, [&](std::size_t k) { return motion.pairs[k].size(); })},
@@ -159,11 +171,13 @@ MotionData motion_data(const ShownMotion& motion, const std::vector<Polyline>& o
                       {"up", array_of(upward)},
                       {"speed", speeds.facts},
                       {"spin", spins.facts},
-                      {"radiusRange", radius_range(fullest)},
+                      {"radiusRange", radius_range(motion.cast)},
                       {"species", motion.species},
-                      {"outlines", json_of(outlines)}};
+                      {"walls", json_of(outlines)},
+                      {"period", array_of(period)}};
   return {facts_element(facts) + element("motion-places", places.bytes) + element("motion-speeds", speeds.bytes) +
-              element("motion-spins", spins.bytes) + sphere_elements(fullest) + contact_elements(motion, many ? 4 : 2),
+              element("motion-spins", spins.bytes) + sphere_elements(motion, many ? 4 : 2) +
+              contact_elements(motion, many ? 4 : 2),
           places.error(), speeds.error, spins.error};
 }
 

@@ -26,17 +26,16 @@ std::string frames_shown(const ShownMotion& motion) {
                      motion.frames.size(), motion.frames_written);
 }
 
-std::string radii(const SeenFrame& frame) {
-  const auto [least, greatest] = std::minmax_element(frame.grains.begin(), frame.grains.end(),
-                                                     [](const auto& a, const auto& b) { return a.radius < b.radius; });
+std::string radii(const std::vector<SeenGrain>& cast) {
+  const auto [least, greatest] =
+      std::minmax_element(cast.begin(), cast.end(), [](const auto& a, const auto& b) { return a.radius < b.radius; });
   if (least->radius == greatest->radius) return fmt::format("radius {} m", significant(least->radius, 4));
   return fmt::format("radii from {} to {} m", significant(least->radius, 4), significant(greatest->radius, 4));
 }
 
 std::string facts(const Scene& scene, const ShownMotion& motion, const MotionData& data) {
-  const SeenFrame& fullest = motion.fullest();
   const std::vector<std::pair<std::string, std::string>> rows = {
-      {"Spheres", fmt::format("{}, {}", fullest.grains.size(), radii(fullest))},
+      {"Spheres", fmt::format("{}, {}", motion.cast.size(), radii(motion.cast))},
       {"Time", fmt::format("{} to {} s, in steps of {} s", significant(motion.frames.front().time, 6),
                            significant(motion.frames.back().time, 6), significant(scene.options.step, 4))},
       {"Frames", frames_shown(motion)},
@@ -108,8 +107,9 @@ Vec3 upward(const Scene& scene) {
 
 std::string view_page(const Scene& scene, const std::string& folder) {
   TrajectoryFile file(folder + "/trajectory.xyz");
-  const ShownMotion motion = read_motion(file, scene.setup.walls);
-  const MotionData data = motion_data(motion, wall_outlines(scene.setup.walls, motion.focus()), upward(scene));
+  const ShownMotion motion = read_motion(file, scene.setup);
+  const MotionData data =
+      motion_data(motion, wall_outlines(scene.setup.walls, motion.focus()), upward(scene), scene.setup.periodic.period);
   const std::string title = scene.title.empty() ? "Spheres in motion" : scene.title;
   const std::string body = fmt::format(
       R"(<header>
@@ -121,8 +121,8 @@ std::string view_page(const Scene& scene, const std::string& folder) {
 {}{}</main>
 <footer><p>Ricochet. SI units.</p></footer>
 {})",
-      escaped(title), motion.fullest().grains.size(), significant(motion.frames.back().time, 6), player,
-      facts(scene, motion, data), help, data.elements);
+      escaped(title), motion.cast.size(), significant(motion.frames.back().time, 6), player, facts(scene, motion, data),
+      help, data.elements);
   return console::html_page(title, body, {.style = view_style, .script = view_script});
 }
 

@@ -91,6 +91,7 @@ TrajectoryFile::Layout TrajectoryFile::layout(std::string_view properties, std::
           place("radius", 1, true),
           place("velo", 3, false),
           place("angular_velocity", 3, false),
+          place("id", 1, false),
           columns};
 }
 
@@ -118,6 +119,11 @@ SeenGrain TrajectoryFile::grain(std::string_view row, const Layout& layout, std:
   const std::uint32_t species = number_of(layout.species == layout.columns ? "grain" : fields_[layout.species]);
   SeenGrain grain{vector(layout.position), vector(layout.velocity), vector(layout.spin), number(layout.radius),
                   species};
+  if (layout.id != layout.columns) {
+    const auto id = count_in(fields_[layout.id]);
+    if (!id) fail(line, fmt::format("{}: must be a sphere's number", fields_[layout.id]));
+    grain.id = *id;
+  }
   if (!(grain.radius > 0)) fail(line, "the radius must be > 0");
   return grain;
 }
@@ -137,6 +143,7 @@ SeenFrame TrajectoryFile::frame(std::size_t number) {
   for (std::size_t k = 0; k < place.grains; ++k) {
     std::getline(file_, text);
     frame.grains.push_back(grain(text, columns, place.line + 1 + k));
+    if (columns.id == columns.columns) frame.grains.back().id = k;
   }
   return frame;
 }

@@ -18,6 +18,7 @@ struct SeenGrain {
   Vec3 position, velocity, spin;
   double radius = 0;
   std::uint32_t species = 0;  ///< in the order in which the file names them
+  std::uint64_t id = 0;       ///< its own in all frames; its place in the frame where the file tells none
 };
 
 struct SeenFrame {
@@ -25,8 +26,8 @@ struct SeenFrame {
   std::vector<SeenGrain> grains;
 };
 
-/// Frames of an extended XYZ file, in any order: positions and radii, and what else of species, velocities and spins
-/// it holds; other columns are passed over. Memory is that of one frame, and of where each begins.
+/// Frames of an extended XYZ file, in any order: positions and radii, and what else of species, velocities, spins and
+/// ids it holds; other columns are passed over. Memory is that of one frame, and of where each begins.
 class TrajectoryFile {
  public:
   /// Finds the frames. Throws console::BadInput "file:line: …" where it is not whole frames.
@@ -44,7 +45,7 @@ class TrajectoryFile {
   };
   // Where in a row each quantity begins; `columns` of what the file does not hold.
   struct Layout {
-    std::size_t species, position, radius, velocity, spin, columns;
+    std::size_t species, position, radius, velocity, spin, id, columns;
   };
 
   Layout layout(std::string_view properties, std::size_t line) const;
