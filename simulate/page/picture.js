@@ -12,7 +12,8 @@ function makeWalls(motion) {
     if (filled && !moves) return out;
     let k = 0;
     walls.forEach((wall, n) => {
-      const swing = Math.sin(turns * wall.frequency * time), [c, s] = [Math.cos, Math.sin].map(f => f(wall.spin * time));
+      const swing = Math.sin(turns * wall.frequency * time);
+      const [c, s] = [Math.cos, Math.sin].map(f => f(wall.spin * time));
       const shift = sum([time, wall.velocity], [swing, wall.amplitude]);
       for (const p of strokes[n]) {
         const from = sum([1, p], [-1, wall.point]), along = dot(from, wall.axis);

@@ -174,8 +174,8 @@ for (const [kind, flags] of Object.entries(kinds)) {
     }
     const there = await open(browser, 'light', '#time=1e9&colour=material&azimuth=15&zoom=2&contacts=1&walls=0&x=y');
     const begun = await there.evaluate(() => ({...window.ricochetView.state, ...window.ricochetView.camera}));
-    hold(begun.moment === frames.length - 1 && begun.colour === 'material' && begun.azimuth === 15 && begun.zoom === 2 &&
-      begun.contacts && !begun.walls, `${kind}, address`, JSON.stringify(begun));
+    hold(begun.moment === frames.length - 1 && begun.colour === 'material' && begun.azimuth === 15 &&
+      begun.zoom === 2 && begun.contacts && !begun.walls, `${kind}, address`, JSON.stringify(begun));
   } finally {
     await browser.close();
   }

@@ -73,8 +73,10 @@ export async function check_controls(page, hold, kind, frames) {
     await page.mouse.move(x + width / 2 + dx, y + height / 2 + dy, {steps: 4});
     await page.mouse.up();
   };
-  await does('a wheel over a picture not chosen', () => page.mouse.move(x + 9, y + 9).then(() => page.mouse.wheel(0, 80)),
-    (a, b) => a.zoom === b.zoom);
+  await does('a wheel over a picture not chosen', async () => {
+    await page.mouse.move(x + 9, y + 9);
+    await page.mouse.wheel(0, 80);
+  }, (a, b) => a.zoom === b.zoom);
   await page.evaluate(() => scrollTo(0, 0));
   await does('a drag', () => drag(60, 20), (a, b) => b.azimuth < a.azimuth && b.elevation > a.elevation);
   await does('a drag with Shift', async () => {

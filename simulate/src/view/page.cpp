@@ -95,7 +95,8 @@ chosen: <kbd>Space</kbd> plays and pauses, <kbd>,</kbd> and <kbd>.</kbd> step by
 <kbd>Shift</kbd> they move, <kbd>+</kbd> and <kbd>-</kbd> zoom, <kbd>0</kbd> resets the view, <kbd>1</kbd> to
 <kbd>4</kbd> colour by speed, spin, size and material, <kbd>C</kbd> shows contacts, <kbd>W</kbd> walls.</p>
 <p>The page's address may say where it begins:
-<code>#time=0.1&amp;colour=size&amp;azimuth=30&amp;elevation=20&amp;zoom=1.5&amp;contacts=1&amp;walls=0</code> (s, degrees).</p>
+<code>#time=0.1&amp;colour=size&amp;azimuth=30&amp;elevation=20&amp;zoom=1.5&amp;contacts=1&amp;walls=0</code>
+(s, degrees).</p>
 )html";
 
 Vec3 upward(const Scene& scene) {
