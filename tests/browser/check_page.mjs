@@ -78,7 +78,8 @@ let pages = 0;
 try {
   for (const scheme of ['light', 'dark']) {
     const context = await chromium.launchPersistentContext(join(profile, scheme), {
-      executablePath: browser_path(), headless: true, args: [...quiet, '--disable-gpu'], colorScheme: scheme,
+      executablePath: browser_path(), headless: true, colorScheme: scheme,
+      args: [...quiet, '--disable-gpu', '--disable-3d-apis'],
       viewport: {width: 1440, height: 900}, permissions: ['clipboard-read', 'clipboard-write']});
     const page = await context.newPage();
     page.on('console', message => {
