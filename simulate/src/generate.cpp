@@ -58,7 +58,7 @@ double solid(const std::vector<Sphere>& spheres) {
 }
 
 // Those that find room at random, the greatest first; numbers stay in the order in which radii were drawn.
-void put_at_random(Order& order, const Region& region, Crowd& crowd) {
+void put_at_random(Order& order, const PourRegion& region, Crowd& crowd) {
   const double share = solid(order.spheres) / region.volume();
   if (share > densest_pour)
     order.place.at("number").reject(
@@ -86,7 +86,7 @@ void put_at_random(Order& order, const Region& region, Crowd& crowd) {
 
 // Sites of a simple cubic lattice, x first, then y, then z; each sphere somewhere about its site, as far as "jitter"
 // says of what its cell leaves.
-void put_on_lattice(Order& order, const Region& region, Crowd& crowd) {
+void put_on_lattice(Order& order, const PourRegion& region, Crowd& crowd) {
   const Node& entry = order.place;
   const double closest = 2 * order.largest;
   const double spacing = entry.has("spacing") ? entry.at("spacing").positive() : closest;
@@ -114,9 +114,9 @@ void put_on_lattice(Order& order, const Region& region, Crowd& crowd) {
                                           n[0], n[1], n[2], significant(spacing, 4)));
 }
 
-Region region_for(const Order& order, const Scene& scene) {
+PourRegion region_for(const Order& order, const Scene& scene) {
   const Node place = order.place.at("region");
-  Region region(place, scene.setup.periodic);
+  PourRegion region(place, scene.setup.periodic);
   if (!region.fits(order.largest))
     place.complain(
         fmt::format("has no room for the sphere of radius {} m; it must be larger", significant(order.largest, 3)));
@@ -131,7 +131,7 @@ Crowd crowd_of(const Scene& scene, double largest) {
 }
 
 void pour_over_time(const Node& entry, Order& order, Scene& scene) {
-  const Region region = region_for(order, scene);
+  const PourRegion region = region_for(order, scene);
   const double begin = entry.has("begin") ? entry.at("begin").not_negative() : 0;
   scene.pours.push_back(
       {region, scene.setup.later.size(), order.spheres.size(), entry.at("rate").positive(), begin, order.seed});
@@ -145,7 +145,7 @@ void generate(const Node& root, const Materials& materials, Scene& scene) {
     for (std::size_t k = 0; root.has(key) && k < root.at(key).size(); ++k) place(root.at(key).at(k));
   };
   const auto settle = [&](Order& order, auto&& put) {
-    const Region region = region_for(order, scene);
+    const PourRegion region = region_for(order, scene);
     Crowd crowd = crowd_of(scene, order.largest);
     put(order, region, crowd);
     scene.setup.spheres.insert(scene.setup.spheres.end(), order.spheres.begin(), order.spheres.end());

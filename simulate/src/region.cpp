@@ -11,7 +11,7 @@ namespace ricochet::simulate {
 
 using console::Node;
 
-Region::Region(const Node& node, const Periodic& periodic) {
+PourRegion::PourRegion(const Node& node, const Periodic& periodic) {
   if (node.has("axis")) {
     node.allow({"point", "axis", "radius"});
     const Vec3 point = node.at("point").vector(), along = node.at("axis").vector();
@@ -36,15 +36,15 @@ Region::Region(const Node& node, const Periodic& periodic) {
     }
 }
 
-double Region::volume() const noexcept {
+double PourRegion::volume() const noexcept {
   if (tube_) return std::numbers::pi * tube_->radius * tube_->radius * tube_->length;
   const Vec3 size = high_ - low_;
   return size.x * size.y * size.z;
 }
 
-double Region::margin(double radius, double Vec3::*axis) const noexcept { return open_.*axis > 0 ? 0 : radius; }
+double PourRegion::margin(double radius, double Vec3::*axis) const noexcept { return open_.*axis > 0 ? 0 : radius; }
 
-bool Region::holds(Vec3 x, double radius) const noexcept {
+bool PourRegion::holds(Vec3 x, double radius) const noexcept {
   radius *= 1 - touching;
   if (tube_) {
     const double along = dot(x - tube_->point, tube_->axis);
@@ -56,13 +56,13 @@ bool Region::holds(Vec3 x, double radius) const noexcept {
   });
 }
 
-bool Region::fits(double radius) const noexcept {
+bool PourRegion::fits(double radius) const noexcept {
   if (tube_) return 2 * radius <= tube_->length && radius <= tube_->radius;
   return std::ranges::all_of(std::array{&Vec3::x, &Vec3::y, &Vec3::z},
                              [&](double Vec3::*c) { return 2 * margin(radius, c) <= high_.*c - low_.*c; });
 }
 
-Vec3 Region::somewhere(double radius, Random& random) const noexcept {
+Vec3 PourRegion::somewhere(double radius, Random& random) const noexcept {
   // Of a cylinder about half of the box around it, for most directions of its axis.
   for (;;) {
     Vec3 x;

@@ -11,9 +11,9 @@ namespace ricochet::simulate {
 
 /// Where spheres are put: a box {"low", "high"}, or a cylinder {"point", "axis", "radius"} as long as its axis. Spheres
 /// are in it as a whole, but for borders where space repeats itself.
-class Region {
+class PourRegion {
  public:
-  Region(const console::Node& node, const Periodic& periodic);
+  PourRegion(const console::Node& node, const Periodic& periodic);
 
   double volume() const noexcept;  ///< [m³]
   /// The corners of the box around it.

@@ -11,7 +11,7 @@ namespace ricochet::simulate {
 
 /// Spheres that come while the scene runs: `count` of setup.later, from `first` on.
 struct Pour {
-  Region region;
+  PourRegion region;
   std::size_t first = 0, count = 0;
   double rate = 0;   ///< at most so many a second
   double begin = 0;  ///< of the first [s]
@@ -26,6 +26,7 @@ struct Outlet {
 /// A scene file, read and checked: docs/scenes.md says what it holds. Spheres count as in setup.spheres, then as in
 /// setup.later; their numbers in files are one more.
 struct Scene {
+  std::string title;  ///< as the file gives it; mostly empty
   ClusterSetup setup;
   ClusterOptions options;          ///< with the step chosen
   std::uint64_t steps = 0;         ///< that the run takes
