@@ -21,6 +21,7 @@ void Cluster::step() {
 void Cluster::kick_by_fields() {
   const double h = options_.step;
   for (std::size_t i = 0; i < size(); ++i) state_.velocities[i] += h * gravity_;
+  if (walls_swing_) set_wall_velocities(time() + h);
   if (!long_range_) return;
   field_forces_.assign(size(), {});
   long_range_(time() + 0.5 * h, state_.half_positions, field_forces_);
@@ -88,7 +89,9 @@ void Cluster::prepare_friction(const ContactState& c, Vec3 v, Row& row) const no
   const std::uint32_t i = c.record.i, j = c.record.j;
   const double mi = inverse_mass_[i], mj = inverse_mass_[j], ji = inverse_inertia_[i], jj = inverse_inertia_[j];
   row.mobility = {mi + mj + g.arm_i * g.arm_i * ji + g.arm_j * g.arm_j * jj, g.arm_i * ji - g.arm_j * jj, ji + jj};
-  row.turning = turning(g, v, state_.spins[i], state_.spins[j], j >= size(), 0.5 * options_.step);
+  row.turning = j >= size() && !(wall_of(j).flat() && !wall_of(j).spins())
+                    ? wall_turning(c, 0.5 * options_.step)
+                    : turning(g, v, state_.spins[i], state_.spins[j], j >= size(), 0.5 * options_.step);
   // The last step's impulse is the guess for this one.
   row.friction.impulse = c.friction;
   row.friction.impulse.sliding = tangential(c.friction.sliding, g.normal);
@@ -118,10 +121,16 @@ motion::CompliantRow Cluster::compliant_row(const ContactState& c, Vec3 v, const
                                      .pressing = {0, g.overlap, g.radius, radius_eff(c)},
                                      .step = options_.step};
   approach.motion.slip -= c.lag / options_.step * row.turning;
+  const bool curved = j >= size() && !wall_of(j).flat();
   if (j < size()) {
     const Vec3 branch = (g.arm_i + g.arm_j) * g.normal + c.lag * v;
     const double distance = norm(branch);
     if (distance > 0) approach.normal_then = branch / distance;
+  } else if (curved) {
+    const Vec3 then = state_.half_positions[i] - c.lag * state_.velocities[i];
+    approach.normal_then = wall_of(j).meet(then, radii_[i], middle() - c.lag).normal;
+  }
+  if (j < size() || curved) {
     const Vec3 between = approach.normal_then + g.normal, spin = state_.spins[i] - state_.spins[j];
     const double length = norm(between);
     const Vec3 normal = length > 0 ? between / length : g.normal;
@@ -279,6 +288,8 @@ void Cluster::conclude() {
     else if (models_[c.model].rubs())
       conclude_friction(c, row, after);
     note_phases(c, row, normal.rate_mid, after);
+    if (walls_drive_ && c.record.j >= size())
+      note_wall_work(c, row.geometry, normal.impulse, row.friction.impulse, wall_of(c.record.j).velocity(time()));
   }
   for (const Model& model : models_) model.normal->conclude(batch(model), time() + 0.5 * options_.step);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
