@@ -46,7 +46,7 @@ using Real = boost::multiprecision::cpp_bin_float_100;
 
 /// The fractional-hertz motion by its series: with α = p/q everything is a power series in u = t^{1/(2q)},
 ///   x = t Σ a_n u^n,  f = x^{3/2} = t^{3/2} Σ b_n u^n,
-/// a by I²f + g I^{2−α}f, b from 2 x f' = 3 x' f; summed by Padé's diagonal approximants (Wynn's epsilon) in 100 digits.
+/// a by I²f + g I^{2−α}f, b from 2 x f' = 3 x' f; summed by Padé's approximants (Wynn's epsilon) in 100 digits.
 class HertzianSeries {
  public:
   HertzianSeries(double spring, double pot, int p, int q, int terms) : per_time_(2 * q) {
@@ -267,7 +267,8 @@ TEST_CASE("the reductions of the laws of real solids keep e_n, at what is held o
         check(std::type_identity<FractionalZener>{}, en, ContactEnd::force, {.alpha = alpha, .stiffening = 40});
     }
   check(std::type_identity<FractionalKelvinVoigt>{}, 0.7, ContactEnd::overlap, {});
-  CHECK_FALSE(Reduction<FractionalKelvinVoigt>::unit(0.3, ContactEnd::force));  // the fractional law of 0.5 keeps 0.3002
+  CHECK_FALSE(
+      Reduction<FractionalKelvinVoigt>::unit(0.3, ContactEnd::force));  // the fractional law of 0.5 keeps 0.3002
   CHECK_FALSE(Reduction<FractionalHertz>::unit(0.28, ContactEnd::force));
   CHECK_FALSE(Reduction<FractionalZener>::unit(0.35, ContactEnd::force));
   CHECK_THROWS_WITH(Reduction<FractionalHertz>::unit(0.5, ContactEnd::force, {.alpha = 2}),
@@ -292,8 +293,6 @@ TEST_CASE("an oblique impact on the arms of a solid is that of the law it become
     CHECK(got.velocity_i.x == Approx(exact.velocity_i.x).epsilon(1e-8));
     CHECK(got.spin_i.y == Approx(exact.spin_i.y).epsilon(1e-8));
   };
-  check(collide(FractionalKelvinVoigt(1.72e7, 15, 1), contact, impact),
-        collide(Linear(1.72e7, 15), contact, impact));
-  check(collide(FractionalHertz(1e10, 3e3, 1), contact, impact),
-        collide(KuwabaraKono(1e10, 4.5e3), contact, impact));
+  check(collide(FractionalKelvinVoigt(1.72e7, 15, 1), contact, impact), collide(Linear(1.72e7, 15), contact, impact));
+  check(collide(FractionalHertz(1e10, 3e3, 1), contact, impact), collide(KuwabaraKono(1e10, 4.5e3), contact, impact));
 }

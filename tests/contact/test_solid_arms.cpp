@@ -119,8 +119,12 @@ TEST_CASE("the arms of a Hertzian contact follow a parabola of f' exactly, and t
   CHECK(arms.force({from + rate * dt, rate}, once) ==
         Approx(arms.force({from + rate * dt, rate}, after(dt))).epsilon(1e-5));
   using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
-  const double mean =
-      Rule::integrate([&](double t) { return arms.force({from + rate * t, rate}, after(t)); }, 0.0, dt, 4, 1e-8) / dt;
+  const double mean = Rule::integrate(
+                          [&](double t) {
+                            return arms.force({from + rate * t, rate}, after(t));
+                          },
+                          0.0, dt, 4, 1e-8) /
+                      dt;
   CHECK(arms.mean_force(from, rate, memory, dt) == Approx(mean).epsilon(1e-5));
   auto faster = memory;
   arms.advance(faster, {from, rate}, {from + rate * dt, rate + 0.01}, dt);

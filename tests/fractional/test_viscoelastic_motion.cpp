@@ -29,7 +29,8 @@ double by_series(double pot, double alpha, int derivative, double t) {
       const Real power = z + 2 * i;
       if (power < 0 && j == 0) continue;  // the derivatives of t
       if (term == 0)
-        term = (i + j) % 2 == 0 ? Real(1) : Real(-1), term *= pow(Real(pot), Real(j)) * pow(time, power) / tgamma(power + 1);
+        term = (i + j) % 2 == 0 ? Real(1) : Real(-1),
+        term *= pow(Real(pot), Real(j)) * pow(time, power) / tgamma(power + 1);
       else
         term *= -Real(i + j) / i * square / (power * (power - 1));
       sum += term;

@@ -185,7 +185,7 @@ class Collocation {
   double by_spring_ = 0, by_pot_ = 0;  // x = t (1 − by_spring t^{p+1} − by_pot t^{p+1−α})
   std::vector<MemoryPanel> panels_;
   double x_ = 0, integral_ = 0, memory_ = 0;  // x, ∫P and (I^{1−α} − I)P at the end of the last panel
-  double next_ = 0;  // length of a panel that will do next
+  double next_ = 0;                           // length of a panel that will do next
   std::size_t evaluations_ = 0;
 };
 
@@ -295,7 +295,8 @@ bool Collocation::advance(double length) {
     f = x.unaryExpr([this](double v) { return power(v); });
     evaluations_ += size;
     const Row off = x + bending * f - straight;
-    const Square newton = Square::Identity() + bending * x.unaryExpr([this](double v) { return power_slope(v); }).asDiagonal();
+    const Square newton =
+        Square::Identity() + bending * x.unaryExpr([this](double v) { return power_slope(v); }).asDiagonal();
     const Row change = newton.partialPivLu().solve(off);
     x -= change;
     if (e_.hertzian && !(x.minCoeff() > 0)) return false;

@@ -41,9 +41,9 @@ void FractionalHertzArms::advance(Memory& m, Approach before, Approach after, do
   for (std::size_t j = 0; j < arms(); ++j) {
     const double x = relaxation_rate(j) * dt;
     const auto moments = fractional::decay_moments(x);
-    m.elongation[j] = moments.decay * m.elongation[j] +
-                      dt * (rate.first * fractional::decay_mean(x) + rate.linear * moments.falling +
-                            2 * rate.square * moments.falling_once);
+    m.elongation[j] =
+        moments.decay * m.elongation[j] + dt * (rate.first * fractional::decay_mean(x) + rate.linear * moments.falling +
+                                                2 * rate.square * moments.falling_once);
   }
 }
 

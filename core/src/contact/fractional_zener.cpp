@@ -72,9 +72,8 @@ class InSeries {
     if (arms_.arms.empty()) return arm_at(0, stiffest / arms_.dashpot);
     // At r = low + off: value ≤ stiffest + Σ strength low/off − dashpot off.
     const double far = stiffest / arms_.dashpot + std::sqrt(stiffest / arms_.dashpot) * std::sqrt(low);
-    const double off =
-        support::root([&](double log_off) { return value(low, std::exp(log_off)); }, std::log(far * 1e-200),
-                      std::log(2 * far), 1, -1);
+    const double off = support::root([&](double log_off) { return value(low, std::exp(log_off)); },
+                                     std::log(far * 1e-200), std::log(2 * far), 1, -1);
     return arm_at(low, std::exp(off));
   }
 

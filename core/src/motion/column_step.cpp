@@ -63,8 +63,7 @@ double stable_step(const FractionalKelvinVoigt& law, double w, double, double) {
 // The arm is never stiffer than its spring alone or its springpot alone.
 double stable_step(const FractionalZener& law, double w, double, double) {
   const double pot = law.k1() * std::pow(law.tau(), law.alpha());
-  return std::max(spring_and_pot(law.k() + law.k1(), 0, law.alpha(), w),
-                  spring_and_pot(law.k(), pot, law.alpha(), w));
+  return std::max(spring_and_pot(law.k() + law.k1(), 0, law.alpha(), w), spring_and_pot(law.k(), pot, law.alpha(), w));
 }
 double stable_step(const FractionalHertz& law, double w, double mass, double speed) {
   const double rise = 1.5 * std::sqrt(greatest_overlap(law, mass, speed));

@@ -125,7 +125,7 @@ ObliqueCollision collide_obliquely(const Law& law, const TangentialContact& tang
 ///   u = V + (a_i ω_i + a_j ω_j)×e,  V' = T/m,  ω_i' = e×(a_i T + M)/J_i,  ω_j' = e×(a_j T − M)/J_j.
 ///
 /// Method: ζ(t), R(t) by closed forms (hysteretic, fractional), by a recorded integration in the variable that makes
-/// the motion smooth (power laws), or by extrapolated steps of the law's own memory (any other law; those of real solids on their Maxwell arms). The tangential
+/// the motion smooth (power laws), or by extrapolated steps of the law's own memory (any other law). The tangential
 /// motion by Runge-Kutta-Fehlberg 7(8) with error control, one smooth phase after another: each event, stick to slip
 /// and slip to stick, is located by redoing the step it lies in. A compliant contact whose torsion shares the disc's
 /// limit goes by 2¹⁴ and 2¹⁵ steps of its own (`tangential_step`), extrapolated.

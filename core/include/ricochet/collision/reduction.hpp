@@ -237,7 +237,7 @@ AnyLaw scaled_law(LawKind kind, const Coordinates& x, const Held& held = {});
 Coordinates with_unit_tcol(LawKind kind, double loss, double tcol);
 
 /// The law of that kind that keeps e_n. Each kind has one dimensionless group that sets e_n and a scale that sets
-/// t_col. In exact arithmetic each reaches every e_n in (0, 1], but for the laws of real solids at what is held of them.
+/// t_col. In exact arithmetic each reaches every e_n in (0, 1], but for the laws of real solids at what is held.
 /// nullopt where it does not, or a double cannot carry it: a parameter is no normal double, a collision out of range,
 /// or fractional with e_n < 1e-15 (by overlap 1e-6).
 /// Throws std::invalid_argument unless 0 < en ≤ 1, the kind ends so, and what is held lies in its domain.

@@ -11,7 +11,7 @@ namespace ricochet {
 
 class FractionalHertzArms;
 
-/// Hertz's spring beside its fractional derivative, R = k f + c D^α f with f = ζ^{3/2}, D^α from the contact's start t_b.
+/// Hertz's spring beside its fractional derivative, R = k f + c D^α f with f = ζ^{3/2}, D^α from the contact's start.
 /// α = 1 is Kuwabara and Kono's law, whose c is 3/2 of this one; α = 0 Hertz's with k + c, c = 0 with k; k = 0 the pure
 /// power law. The ideal law: its memory is the whole past, so it has no `force`; `FractionalHertzArms` is what engines
 /// run.

@@ -16,8 +16,8 @@ class FractionalZenerArms;
 /// k₁ = 0 are a spring of k, τ → ∞ one of k + k₁, α = 0 one of k + k₁/2. The ideal law: its memory is the whole past,
 /// so it has no `force`; `FractionalZenerArms` is what engines run.
 ///
-/// In the units of an impact e_n depends on k₁/k, τ√(k/m) and α, not on the velocity. Along τ it falls from 1 to a least
-/// value and returns to 1.
+/// In the units of an impact e_n depends on k₁/k, τ√(k/m) and α, not on the velocity. Along τ it falls from 1 to a
+/// least value and returns to 1.
 /// Source: Rossikhin & Shitikova, Appl. Mech. Rev. 63, 010801 (2010).
 class FractionalZener {
  public:

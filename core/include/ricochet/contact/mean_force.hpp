@@ -53,8 +53,7 @@ double mean_force(const MaxwellArms& arms, double overlap, double rate, const Ma
 }  // namespace contact
 
 template <ArmsLaw Law>
-double mean_force(const Law& law, double overlap, double rate, const typename Law::Memory& memory,
-                  double dt) noexcept {
+double mean_force(const Law& law, double overlap, double rate, const typename Law::Memory& memory, double dt) noexcept {
   return contact::mean_force(static_cast<const MaxwellArms&>(law), overlap, rate, memory, dt);
 }
 

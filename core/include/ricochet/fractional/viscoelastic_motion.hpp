@@ -24,8 +24,8 @@ struct ViscoelasticModulus {
 /// residues of the pair of poles s² + M(s) = 0 with the factor that makes rule plus pole exact wherever the pole lies
 /// (as in mittag_leffler.hpp). On the principal sheet there is one pair at most: s ↦ i√M(s) maps the second quadrant
 /// into itself, so that by Schwarz and Pick it has one fixed point there at most, to which its iterates go. From F the
-/// transform of a dashpot's motion, γ = t (M(1/t) − spring), is taken out and its e^{−γt} added in closed form: what is left
-/// vanishes with 1 − α and the spring, so that the small velocities of a strongly damped rebound keep their digits.
+/// transform of a dashpot's motion, γ = t (M(1/t) − spring), is taken out and its e^{−γt} added in closed form.
+/// The rest vanishes with 1 − α and the spring: the small velocities of a strongly damped rebound keep their digits.
 ///
 /// Error: 1e-13 relative to the greatest value of each, and 1e-12 of the value itself where the motion has lost all
 /// oscillation (measured in tests/fractional against sums and quadratures of 50 digits). Times in a unit in which the

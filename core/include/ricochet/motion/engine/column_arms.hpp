@@ -7,8 +7,8 @@
 
 namespace ricochet::motion {
 
-/// Of laws on Maxwell arms: the arms of all contacts side by side, as many doubles a contact as there are arms (rounded up to whole lanes),
-/// stepped by ArmsBlock.
+/// Of laws on Maxwell arms: those of all contacts side by side, as many doubles a contact as there are arms (rounded up
+/// to whole lanes), stepped by ArmsBlock.
 template <ArmsLaw Law>
 class ColumnMemory<Law> {
  public:
