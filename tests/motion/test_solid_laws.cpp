@@ -73,10 +73,10 @@ template <class Law>
 void check_law(const Law& law) {
   CAPTURE(Law::name, law.alpha());
   const Collision plate = collide(law, {0.5, mass});
-  check_order(column_error(law, plate, 50), column_error(law, plate, 200));
+  check_order(column_error(law, plate, 100), column_error(law, plate, 400));
   const double pair_mass = Sphere{.radius = 1.5e-3, .density = 1000}.mass() / 2;
   const Collision pair = collide(law, {0.5, pair_mass});
-  check_order(cluster_error(law, pair, 50), cluster_error(law, pair, 200));
+  check_order(cluster_error(law, pair, 100), cluster_error(law, pair, 400));
 }
 
 }  // namespace
