@@ -80,6 +80,8 @@ void Cluster::add_bodies(const ClusterSetup& setup) {
     state_.velocities.push_back({});
     state_.spins.push_back({});
   }
+  state_.velocity_gains.assign(size(), {});
+  state_.spin_gains.assign(size(), {});
   for (std::size_t m : materials_) material_count_ = std::max(material_count_, m + 1);
 }
 
@@ -95,10 +97,13 @@ void Cluster::add_models(const Interactions& interactions) {
     const TangentialContact tangential{interaction.tangential, interaction.friction, interaction.torsion,
                                        interaction.rolling};
     Model& model = models_.emplace_back(
-        Model{tangential, false, interaction.end, interaction.breakage_energy, std::move(normal), {}});
+        Model{tangential, false, interaction.end, interaction.breakage_energy, 0, 0, std::move(normal), {}});
     model.compliant =
         compliant(interaction.tangential) && model.rubs();  // where all limits are 0 no spring is strained
     has_springs_ = has_springs_ || model.compliant;
+    if (!model.compliant) continue;
+    model.damping = spring(interaction.tangential, 0).damping;
+    model.turning_damping = std::max(interaction.torsion.spring.damping, interaction.rolling.spring.damping);
   }
 }
 
@@ -192,6 +197,10 @@ void Cluster::restore(ClusterState state) {
   if (state.half_positions.size() != size() || state.velocities.size() != size() + walls_.size() ||
       state.spins.size() != state.velocities.size())
     throw std::invalid_argument("state: must be of the same spheres and walls");
+  for (std::vector<Vec3>* gains : {&state.velocity_gains, &state.spin_gains}) {
+    if (gains->empty()) gains->resize(size());
+    if (gains->size() != size()) throw std::invalid_argument("state: must have one gain a sphere, or none");
+  }
   check_contacts(state);
   for (const ContactState& c : state_.contacts) models_[c.model].normal->forget(c);
   state_ = std::move(state);

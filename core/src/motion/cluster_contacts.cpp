@@ -135,7 +135,7 @@ void Cluster::drop_separated() {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const ContactGeometry g = geometry(contacts[k].record.i, contacts[k].record.j);
     if (g.overlap > 0) {
-      rows_[kept].geometry = g;
+      geometries_[kept] = g;
       if (kept != k) contacts[kept] = contacts[k];
       ++kept;
     } else {
@@ -144,7 +144,7 @@ void Cluster::drop_separated() {
   }
   if (kept == contacts.size()) return;
   contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(kept), contacts.end());
-  rows_.resize(kept);
+  geometries_.resize(kept);
   group_contacts();
 }
 

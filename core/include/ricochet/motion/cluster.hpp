@@ -57,6 +57,8 @@ struct ClusterState {
   double lost_normal = 0, lost_friction = 0, long_range_work = 0;
   std::uint64_t unconverged = 0;  ///< steps that ended at max_sweeps
   double worst_change = 0;  ///< of their last sweeps' greatest changes, relative to the greatest impulse of the step
+  /// By contacts in the last step, of spheres; empty: none.
+  std::vector<Vec3> velocity_gains, spin_gains;
 };
 
 /// Where a motion says nothing any more: bodies that went into each other by more than 1.5 of the smaller radius (the
@@ -131,6 +133,7 @@ class Cluster {
     bool compliant;
     ContactEnd end;
     double breakage_energy;
+    double damping, turning_damping;  // of springs in the tangent plane
     std::unique_ptr<motion::NormalContacts> normal;
     std::vector<std::uint32_t> members;  // which of all contacts, ascending
     bool rubs() const noexcept {
@@ -144,14 +147,24 @@ class Cluster {
     double normal = 0;
     FrictionImpulse friction;
   };
-  // A contact during a step besides its NormalRow; the solver sees nothing else.
+  // A contact during a step that is solved by sweeps, besides its geometry and NormalRow.
   struct Row {
-    ContactGeometry geometry;
     SlipMobility mobility;
     SlipMotion before;
     Vec3 turning;
     FrictionSolution friction;
     Pulse before_sweep, direction;
+  };
+  // What a contact passes in a step that needs no sweeps, and what is to be booked of it.
+  struct Passed {
+    Vec3 linear, lever, couple;  // on i: impulse, e × friction's, that of torsion and rolling
+    motion::CompliantLoss loss;
+    bool sticks = false;
+  };
+  // A body over a step.
+  struct Motion {
+    Vec3 velocity, spin;    // at its start
+    Vec3 velocity_mid, spin_mid;  // in its middle, foreseen; at last the mean of start and end
   };
 
   void add_bodies(const ClusterSetup& setup);
@@ -160,8 +173,12 @@ class Cluster {
   ContactGeometry geometry(std::uint32_t i, std::uint32_t j) const noexcept;
   Vec3 relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept;
   SlipMotion slip_motion(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
+  SlipMotion slip_before(const ContactState& c, const ContactGeometry& g) const noexcept;
+  SlipMotion mean_slip(const ContactState& c, const ContactGeometry& g) const noexcept;
 
   void kick_by_fields();
+  void note_start();
+  void note_end();
   void list_candidates();
   void find_touching();
   void drop_separated();
@@ -169,11 +186,18 @@ class Cluster {
   ContactState begin_contact(std::uint32_t i, std::uint32_t j);
   void group_contacts();
   void finish(ContactState& contact, const ContactGeometry& g);
+  void prepare_normals();
   void prepare_rows();
-  void prepare_friction(const ContactState& contact, Vec3 velocity, Row& row) const noexcept;
+  void prepare_friction(std::size_t contact) noexcept;
+  SlipMobility slip_mobility(const ContactState& contact, const ContactGeometry& g) const noexcept;
   Friction rigid_friction(const ContactState& contact, const ContactGeometry& g) const;
   double radius_eff(const ContactState& contact) const noexcept;
-  motion::CompliantRow compliant_row(const ContactState& contact, Vec3 velocity, const Row& row) const noexcept;
+  motion::CompliantRow compliant_row(std::size_t contact) const noexcept;
+  bool needs_no_sweeps();
+  void foresee() noexcept;
+  void pass_at_once();
+  void pass(std::size_t contact) noexcept;
+  void pass_springs(std::size_t contact, Vec3 velocity) noexcept;
   motion::NormalBatch batch(const Model& model) noexcept;
   void push(const ContactState& c, const ContactGeometry& g, double normal) noexcept;
   void apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept;
@@ -182,10 +206,10 @@ class Cluster {
   double accelerate(double last, bool restart) noexcept;
   void solve();
   void conclude();
-  void conclude_friction(ContactState& contact, const Row& row, const SlipMotion& after);
-  void conclude_springs(std::size_t contact, const SlipMotion& after);
-  void note_phases(ContactState& contact, const Row& row, double rate_mid, const SlipMotion& after) const;
-  static EncounterEnd how_it_ended(const ContactState& contact, double rate_mid, const Row& row) noexcept;
+  double friction_loss(std::size_t contact);
+  double conclude_springs(std::size_t contact, const SlipMotion& mean);
+  void note_phases(std::size_t contact);
+  EncounterEnd how_it_ended(const ContactState& contact, const ContactGeometry& g, double rate_mid) const noexcept;
   void note_breakage(ContactState& contact, double mobility) const noexcept;
   void check_contacts(const ClusterState& state) const;
 
@@ -203,8 +227,13 @@ class Cluster {
   ClusterState state_;  // without memories; velocities and spins of walls follow those of the spheres, all zero
   NeighbourList neighbours_;
   std::vector<NearPair> candidates_;
-  std::vector<Row> rows_;
-  std::vector<motion::NormalRow> normals_;     // of the same contacts
+  std::vector<Motion> motions_;              // of bodies
+  std::vector<ContactGeometry> geometries_;  // of contacts, in the middle of the step
+  std::vector<motion::NormalRow> normals_;   // of the same contacts
+  bool at_once_ = false;                     // the step needs no sweeps
+  std::vector<Passed> passed_;               // of the same contacts, then
+  std::vector<double> drags_;                // of spheres
+  std::vector<Row> rows_;                    // of the same contacts, else
   std::vector<motion::CompliantRow> springs_;  // of the same contacts; none where no interaction has any
   bool has_springs_ = false;
   std::vector<Vec3> field_forces_;

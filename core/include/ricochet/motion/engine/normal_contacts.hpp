@@ -19,6 +19,7 @@ struct NormalRow {
   double rate = 0;           ///< ζ' at the step's start [m/s]
   double mobility = 0;       ///< 1/m_i + 1/m_j [1/kg]
   double duration = 0;       ///< Δt [s], or 0: the impulse is fixed
+  double since_touch = 0;    ///< of a fresh contact, at the step's end [s]
   double fixed_impulse = 0;  ///< then [N s]
   double force = 0;          ///< R(ζ') = force + slope·(ζ' − rate) [N]
   double slope = 0;          ///< [N s/m]
@@ -137,7 +138,7 @@ class NormalContactsOf final : public NormalContacts {
   // force over each part keep forces that start with a jump or like a power of time from spoiling the order.
   void touch(ContactState& c, NormalRow& row) {
     constexpr int parts = 6;
-    const double length = c.lag + 0.5 * step_;
+    const double length = row.since_touch;
     Memory& memory = memories_[c.slot];
     Approach a = c.approach;
     double force = law_.force(a, memory), impulse = 0, loss = 0, t = 0;
