@@ -1,3 +1,5 @@
+#include "contact_rows.hpp"
+
 #include <ricochet/motion/cluster.hpp>
 
 #include <ricochet/support/require.hpp>
@@ -97,11 +99,12 @@ void Cluster::add_models(const Interactions& interactions) {
     const TangentialContact tangential{interaction.tangential, interaction.friction, interaction.torsion,
                                        interaction.rolling};
     Model& model = models_.emplace_back(
-        Model{tangential, false, interaction.end, interaction.breakage_energy, 0, 0, std::move(normal), {}});
+        Model{tangential, false, false, interaction.end, interaction.breakage_energy, 0, 0, std::move(normal), {}});
     model.compliant =
         compliant(interaction.tangential) && model.rubs();  // where all limits are 0 no spring is strained
     has_springs_ = has_springs_ || model.compliant;
     if (!model.compliant) continue;
+    model.turns = motion::compliant::turns(tangential);
     model.damping = spring(interaction.tangential, 0).damping;
     model.turning_damping = std::max(interaction.torsion.spring.damping, interaction.rolling.spring.damping);
   }
@@ -109,17 +112,6 @@ void Cluster::add_models(const Interactions& interactions) {
 
 std::uint32_t Cluster::model_of(std::uint32_t i, std::uint32_t j) const noexcept {
   return model_table_[materials_[i] * material_count_ + materials_[j]];
-}
-
-ContactGeometry Cluster::geometry(std::uint32_t i, std::uint32_t j) const noexcept {
-  const Vec3 xi = state_.half_positions[i];
-  if (j < size()) return sphere_sphere(xi, radii_[i], state_.half_positions[j], radii_[j]);
-  const PlaneWall& wall = walls_[j - size()];
-  return sphere_wall(xi, radii_[i], wall.point, wall.inward);
-}
-
-Vec3 Cluster::relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept {
-  return state_.velocities[i] - state_.velocities[j];
 }
 
 Vec3 Cluster::position(std::size_t i) const noexcept {

@@ -1,6 +1,6 @@
 // Contacts that do not act on each other within a step but by what they passed in the last one: springs and dashpots
 // that a step resolves.
-#include "contact_motion.hpp"
+#include "contact_rows.hpp"
 
 #include <ricochet/motion/cluster.hpp>
 
@@ -68,6 +68,41 @@ void Cluster::pass_at_once() {
   converged_ = true;
 }
 
+template <bool Turns>
+void Cluster::pass_springs(std::size_t contact, Vec3 v) noexcept {
+  ContactState& c = state_.contacts[contact];
+  const ContactGeometry& g = geometries_[contact];
+  const TangentialContact& law = models_[c.model].tangential;
+  const SlipMobility m = slip_mobility(c, g);
+  FrictionImpulse last = c.friction;
+  last.sliding = tangential(last.sliding, g.normal);
+  if (Turns) last.rolling = tangential(last.rolling, g.normal);
+  // The motion in the middle, without this contact's own last impulse, stands for those at both ends.
+  SlipMotion free = motion::slip_of(g, v, motions_[c.record.i].spin_mid, motions_[c.record.j].spin_mid);
+  free.slip -= 0.5 * m.slip * last.sliding;
+  if (Turns) {
+    free.slip -= 0.5 * m.cross * last.rolling;
+    free.roll -= 0.5 * (m.cross * last.sliding + m.roll * last.rolling);
+    free.spin -= 0.5 * m.roll * last.torsion;
+  }
+  const FrictionProblem problem{std::max(0.0, normals_[contact].impulse), g.radius, m, free, free, {}};
+  motion::CompliantRow row = compliant_row<Turns>(contact);
+  const FrictionSolution found = motion::compliant_impulse<Turns>(law, c, row, problem, last);
+  const FrictionImpulse& f = found.impulse;
+  const Vec3 change = 0.5 * (m.slip * f.sliding + m.cross * f.rolling);
+  const SlipMotion mean{free.slip + change, free.spin + 0.5 * m.roll * f.torsion,
+                        free.roll + 0.5 * (m.cross * f.sliding + m.roll * f.rolling)};
+  const motion::CompliantEnd end = motion::compliant_end<Turns>(law, row, c, mean, c.force);
+  Passed& passed = passed_[contact];
+  passed.linear += f.sliding;
+  passed.lever = cross(g.normal, f.sliding);
+  passed.couple = f.torsion * g.normal + cross(g.normal, f.rolling);
+  passed.loss = motion::compliant_loss(row, c.strained - end.stored);
+  passed.sticks = found.sticks;
+  c.friction = f;
+  c.elongation = end.elongation, c.strained = end.stored;
+}
+
 void Cluster::pass(std::size_t contact) noexcept {
   const ContactState& c = state_.contacts[contact];
   const ContactGeometry& g = geometries_[contact];
@@ -78,38 +113,11 @@ void Cluster::pass(std::size_t contact) noexcept {
   along.impulse = normal_impulse(c, along, rate_free);
   Passed& passed = passed_[contact];
   passed = {.linear = -along.impulse * g.normal, .lever = {}, .couple = {}, .loss = {}, .sticks = false};
-  if (models_[c.model].rubs()) pass_springs(contact, v);
-}
-
-void Cluster::pass_springs(std::size_t contact, Vec3 v) noexcept {
-  ContactState& c = state_.contacts[contact];
-  const ContactGeometry& g = geometries_[contact];
-  const TangentialContact& law = models_[c.model].tangential;
-  const SlipMobility m = slip_mobility(c, g);
-  FrictionImpulse last = c.friction;
-  last.sliding = tangential(last.sliding, g.normal);
-  last.rolling = tangential(last.rolling, g.normal);
-  // The motion in the middle, without this contact's own last impulse, stands for those at both ends.
-  SlipMotion free = motion::slip_of(g, v, motions_[c.record.i].spin_mid, motions_[c.record.j].spin_mid);
-  free.slip -= 0.5 * (m.slip * last.sliding + m.cross * last.rolling);
-  free.roll -= 0.5 * (m.cross * last.sliding + m.roll * last.rolling);
-  free.spin -= 0.5 * m.roll * last.torsion;
-  const FrictionProblem problem{std::max(0.0, normals_[contact].impulse), g.radius, m, free, free, {}};
-  motion::CompliantRow row = compliant_row(contact);
-  const FrictionSolution found = motion::compliant_impulse(law, c, row, problem, last);
-  const FrictionImpulse& f = found.impulse;
-  const Vec3 change = 0.5 * (m.slip * f.sliding + m.cross * f.rolling);
-  const SlipMotion mean{free.slip + change, free.spin + 0.5 * m.roll * f.torsion,
-                        free.roll + 0.5 * (m.cross * f.sliding + m.roll * f.rolling)};
-  const motion::CompliantEnd end = motion::compliant_end(law, row, c, mean, c.force);
-  Passed& passed = passed_[contact];
-  passed.linear += f.sliding;
-  passed.lever = cross(g.normal, f.sliding);
-  passed.couple = f.torsion * g.normal + cross(g.normal, f.rolling);
-  passed.loss = motion::compliant_loss(law, row, c.strained - end.stored);
-  passed.sticks = found.sticks;
-  c.friction = f;
-  c.elongation = end.elongation, c.strained = end.stored;
+  const Model& model = models_[c.model];
+  if (model.turns)
+    pass_springs<true>(contact, v);
+  else if (model.compliant)
+    pass_springs<false>(contact, v);
 }
 
 }  // namespace ricochet

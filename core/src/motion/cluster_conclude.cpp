@@ -1,5 +1,5 @@
 // What is booked of a step: energies, memories, how contacts ended and what they went through.
-#include "contact_motion.hpp"
+#include "contact_rows.hpp"
 
 #include <ricochet/motion/cluster.hpp>
 
@@ -53,8 +53,8 @@ double Cluster::conclude_springs(std::size_t contact, const SlipMotion& mean) {
   ContactState& c = state_.contacts[contact];
   const TangentialContact& law = models_[c.model].tangential;
   const motion::CompliantRow& row = springs_[contact];
-  const motion::CompliantEnd end = motion::compliant_end(law, row, c, mean, c.force);
-  const motion::CompliantLoss loss = motion::compliant_loss(law, row, c.strained - end.stored);
+  const motion::CompliantEnd end = motion::compliant_end<true>(law, row, c, mean, c.force);
+  const motion::CompliantLoss loss = motion::compliant_loss(row, c.strained - end.stored);
   c.friction = rows_[contact].friction.impulse;
   c.elongation = end.elongation, c.strained = end.stored;
   return motion::lost(loss, law, c.friction, mean);

@@ -1,4 +1,6 @@
 // How contacts of a cluster begin and end.
+#include "contact_rows.hpp"
+
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
@@ -39,7 +41,7 @@ void Cluster::list_candidates() {
   }
 }
 
-bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
+inline bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
   if (j >= size()) return geometry(i, j).overlap > 0;
   const Vec3 d = state_.half_positions[j] - state_.half_positions[i];
   const double reach = radii_[i] + radii_[j];

@@ -2,18 +2,19 @@
 
 #include <ricochet/contact/friction.hpp>
 #include <ricochet/contact/geometry.hpp>
+#include <ricochet/motion/engine/compliant_contact.hpp>
 
 namespace ricochet::motion {
 
 /// The motion in a contact, Eq. (9), of bodies that approach each other at v = v_i − v_j and spin.
-inline SlipMotion slip_of(const ContactGeometry& g, Vec3 v, Vec3 wi, Vec3 wj) noexcept {
+RICOCHET_INNERMOST SlipMotion slip_of(const ContactGeometry& g, Vec3 v, Vec3 wi, Vec3 wj) noexcept {
   return {tangential(v, g.normal) + cross(g.arm_i * wi + g.arm_j * wj, g.normal), dot(wi - wj, g.normal),
           cross(wi - wj, g.normal)};
 }
 
 /// What u_t gains over half a step while the normal turns and the branches shorten, velocities staying as they are.
 /// Sticking then holds at the step's end, not half a step late.
-inline Vec3 turning(const ContactGeometry& g, Vec3 v, Vec3 wi, Vec3 wj, bool wall, double half_step) noexcept {
+RICOCHET_INNERMOST Vec3 turning(const ContactGeometry& g, Vec3 v, Vec3 wi, Vec3 wj, bool wall, double half_step) noexcept {
   const double rate = dot(v, g.normal), d = g.arm_i + g.arm_j;
   if (wall) return half_step * -0.5 * rate * cross(wi, g.normal);
   if (!(d > 0)) return {};

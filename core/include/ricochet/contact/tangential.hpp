@@ -192,11 +192,12 @@ struct TangentialState {
   double rolling_limit = 0;  ///< [N m]
   double disc_radius = 0;    ///< a [m] where sliding and torsion share the disc's limit curve, else 0
 };
-/// `speed` |u_t| [m/s].
-inline TangentialState tangential_state(const TangentialContact& c, const Pressing& p, double speed) noexcept {
+/// `speed` |u_t| [m/s]; `sliding` the spring at the overlap.
+inline TangentialState tangential_state(const TangentialContact& c, const Pressing& p, double speed,
+                                        Spring sliding) noexcept {
   const double limit = c.friction.coefficient(speed) * p.force;
   TangentialState s{
-      .sliding = spring(c.law, p.overlap),
+      .sliding = sliding,
       .torsion = c.torsion.spring,
       .rolling = c.rolling.spring,
       .sliding_limit = limit,
@@ -207,6 +208,9 @@ inline TangentialState tangential_state(const TangentialContact& c, const Pressi
     s.disc_radius = p.contact_radius;
   }
   return s;
+}
+inline TangentialState tangential_state(const TangentialContact& c, const Pressing& p, double speed) noexcept {
+  return tangential_state(c, p, speed, spring(c.law, p.overlap));
 }
 
 /// ½k_tξ² and the like.

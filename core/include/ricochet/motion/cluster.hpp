@@ -130,7 +130,7 @@ class Cluster {
   // The contacts of one interaction.
   struct Model {
     TangentialContact tangential;
-    bool compliant;
+    bool compliant, turns;
     ContactEnd end;
     double breakage_energy;
     double damping, turning_damping;  // of springs in the tangent plane
@@ -192,11 +192,13 @@ class Cluster {
   SlipMobility slip_mobility(const ContactState& contact, const ContactGeometry& g) const noexcept;
   Friction rigid_friction(const ContactState& contact, const ContactGeometry& g) const;
   double radius_eff(const ContactState& contact) const noexcept;
+  template <bool Turns>
   motion::CompliantRow compliant_row(std::size_t contact) const noexcept;
   bool needs_no_sweeps();
   void foresee() noexcept;
   void pass_at_once();
   void pass(std::size_t contact) noexcept;
+  template <bool Turns>
   void pass_springs(std::size_t contact, Vec3 velocity) noexcept;
   motion::NormalBatch batch(const Model& model) noexcept;
   void push(const ContactState& c, const ContactGeometry& g, double normal) noexcept;

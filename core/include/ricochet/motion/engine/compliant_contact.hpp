@@ -24,7 +24,8 @@ namespace ricochet::motion {
 // whole. A stiffness that starts like √t (Mindlin's), and torsion that shares the disc's limit with a slide whose λ
 // changes, have order 1.5 and 1 in the limit, the latter as the cut to the curve is a first-order return.
 
-// All is inline, as it stands in the engine's innermost loop.
+// All of it stands in the engine's innermost loop; `Turns`: some spring resists torsion or rolling.
+#define RICOCHET_INNERMOST [[gnu::always_inline]] inline
 
 /// How the contact comes into the middle of the step.
 struct CompliantApproach {
@@ -40,7 +41,7 @@ struct CompliantRow {
   CompliantApproach approach;
   Elongation before;     ///< at the time of the memory, turned to the present normal
   Elongation held;       ///< in the middle of the step, should the contact stick
-  Spring spring_then;    ///< against sliding, at the time of the memory
+  Spring spring_then, spring_now;  ///< against sliding, at the time of the memory and in the middle
   double span = 0;       ///< from the memory to the middle; of a fresh contact from the touch to the step's end [s]
   double duration = 0;   ///< over which the impulse acts [s]
   bool fresh = false;
@@ -56,7 +57,7 @@ struct CompliantEnd {
 
 namespace compliant {
 
-inline Vec3 unit(Vec3 a) noexcept {
+RICOCHET_INNERMOST Vec3 unit(Vec3 a) noexcept {
   const double length = norm(a);
   return length > 0 ? a / length : Vec3{};
 }
@@ -67,12 +68,12 @@ inline bool turns(const TangentialContact& law) noexcept {
 }
 
 /// Direction of the traction −q halfway since the memory, should the contact slide: q_n ∥ k ξ + (k span/2 + c) u.
-inline Vec3 halfway(Spring s, Vec3 elongation, Vec3 rate, double span) noexcept {
+RICOCHET_INNERMOST Vec3 halfway(Spring s, Vec3 elongation, Vec3 rate, double span) noexcept {
   return -unit(s.stiffness * elongation + (0.5 * span * s.stiffness + s.damping) * rate);
 }
 
 /// A growing contact keeps its force: (kξ)' = k u; a shrinking one its strain: ξ' = u.
-inline Vec3 strained(double k_then, double k_now, Vec3 before, Vec3 moved) noexcept {
+RICOCHET_INNERMOST Vec3 strained(double k_then, double k_now, Vec3 before, Vec3 moved) noexcept {
   if (k_now <= k_then || k_now <= 0) return before + moved;
   return 1 / k_now * (k_then * before + 0.5 * (k_then + k_now) * moved);
 }
@@ -87,7 +88,7 @@ inline Vec3 relaxed(Spring s, Vec3 elongation, Vec3 first, Vec3 last, double spa
 
 /// The impulse that spring and dashpot pass while nothing gives way; `free` is the motion at the step's end without it.
 /// Of a fresh contact ∫kξ dt = ½k t² u.
-inline Vec3 held_impulse(Spring s, Vec3 elongation, Vec3 before, Vec3 free, double mobility,
+RICOCHET_INNERMOST Vec3 held_impulse(Spring s, Vec3 elongation, Vec3 before, Vec3 free, double mobility,
                          const CompliantRow& row) noexcept {
   const double t = row.duration, drag = t * (s.damping + (row.fresh ? 0.5 * t * s.stiffness : 0));
   return -1.0 / (1 + 0.5 * drag * mobility) * (t * s.stiffness * elongation + 0.5 * drag * (before + free));
@@ -109,12 +110,12 @@ inline Traction last_tractions(const TangentialContact& law, const ContactState&
 
 /// A traction over its limit points where the slide leads it: on through `between`, where its length was the mean of
 /// that before and of the limit.
-inline Vec3 led(Vec3 wanted, double limit, Vec3 before, Vec3 between) noexcept {
+RICOCHET_INNERMOST Vec3 led(Vec3 wanted, double limit, Vec3 before, Vec3 between) noexcept {
   if (between == Vec3{}) return wanted;
   const Vec3 after = unit((norm(before) + limit) * between - before);
   return norm(wanted) * (dot(after, between) > 0 ? after : between);
 }
-inline bool over(Vec3 wanted, double limit) noexcept { return dot(wanted, wanted) > limit * limit; }
+RICOCHET_INNERMOST bool over(Vec3 wanted, double limit) noexcept { return dot(wanted, wanted) > limit * limit; }
 
 /// What the contact's loads −T were at the memory and are at its next time.
 struct Loads {
@@ -135,19 +136,21 @@ inline Loads loads_of(const TangentialContact& law, const ContactState& c, const
           {-end.sliding, -end.torsion, -end.rolling}};
 }
 
-inline bool yields(const CompliantRow& row) noexcept {
+RICOCHET_INNERMOST bool yields(const CompliantRow& row) noexcept {
   return row.answer.slides || row.answer.twists || row.answer.rolls;
 }
 
-inline Elongation elongation_after(const TangentialContact& law, const ContactState& c, const CompliantRow& row,
+template <bool Turns>
+RICOCHET_INNERMOST Elongation elongation_after(const TangentialContact& law, const ContactState& c, const CompliantRow& row,
                                    const TangentialState& s, const SlipMotion& mean, double force) noexcept {
   const double t = row.duration;
   Elongation e = row.held;
   if (row.fresh) e.slide = t * mean.slip;
-  if (row.fresh && turns(law)) e.twist = t * mean.spin, e.roll = t * mean.roll;
+  if (Turns && row.fresh) e.twist = t * mean.spin, e.roll = t * mean.roll;
   if (!yields(row)) return e;
   const Loads q = loads_of(law, c, row, force);
   if (row.answer.slides) e.slide = relaxed(s.sliding, row.before.slide, q.first.sliding, q.last.sliding, row.span);
+  if (!Turns) return e;
   if (row.answer.twists)
     e.twist = relaxed(s.torsion, scalar(row.before.twist), scalar(q.first.torsion), scalar(q.last.torsion), row.span).x;
   if (row.answer.rolls) e.roll = relaxed(s.rolling, row.before.roll, q.first.rolling, q.last.rolling, row.span);
@@ -156,30 +159,36 @@ inline Elongation elongation_after(const TangentialContact& law, const ContactSt
 
 }  // namespace compliant
 
-inline CompliantRow compliant_row(const TangentialContact& law, const ContactState& c,
+template <bool Turns>
+RICOCHET_INNERMOST CompliantRow compliant_row(const TangentialContact& law, const ContactState& c,
                                   const CompliantApproach& a) noexcept {
   CompliantRow row;
   row.approach = a;
+  row.spring_now = spring(law.law, a.pressing.overlap);
   row.span = c.lag, row.duration = a.step;
   row.fresh = c.fresh;
   if (c.fresh) {
     row.span = row.duration = a.since_touch;
     return row;
   }
-  row.before = turned(c.elongation, a.normal_then, a.normal);
   row.spring_then = spring(law.law, c.approach.overlap);
-  const Spring slide = spring(law.law, a.pressing.overlap);
+  const Spring slide = row.spring_now;
+  if (Turns)
+    row.before = turned(c.elongation, a.normal_then, a.normal);
+  else
+    row.before.slide = turned({c.elongation.slide, 0, {}}, a.normal_then, a.normal).slide;
   const double t = row.span;
   row.held.slide = tangential(
       compliant::strained(row.spring_then.stiffness, slide.stiffness, row.before.slide, t * a.motion.slip), a.normal);
-  if (!compliant::turns(law)) return row;
+  if (!Turns) return row;
   row.held.twist = row.before.twist + t * a.motion.spin;
   row.held.roll = tangential(row.before.roll + t * a.motion.roll, a.normal);
   return row;
 }
 
 /// As friction_impulse, of springs. `sticks`: neither sliding nor torsion are at their limit.
-inline FrictionSolution compliant_impulse(const TangentialContact& law, const ContactState& c, CompliantRow& row,
+template <bool Turns>
+RICOCHET_INNERMOST FrictionSolution compliant_impulse(const TangentialContact& law, const ContactState& c, CompliantRow& row,
                                           const FrictionProblem& p, const FrictionImpulse& guess) noexcept {
   const double t = row.duration, per_time = 1 / t;
   const SlipMobility& m = p.mobility;
@@ -188,7 +197,7 @@ inline FrictionSolution compliant_impulse(const TangentialContact& law, const Co
   const double speed =
       law.friction.depends_on_speed() ? norm(0.5 * (p.before.slip + slip + m.slip * guess.sliding)) : 0;
   row.approach.pressing.force = p.normal_impulse * per_time;
-  const TangentialState s = tangential_state(law, row.approach.pressing, speed);
+  const TangentialState s = tangential_state(law, row.approach.pressing, speed, row.spring_now);
   Traction wanted;
   wanted.sliding =
       per_time * compliant::held_impulse(s.sliding, row.held.slide, p.before.slip, slip, m.slip, row);
@@ -197,19 +206,24 @@ inline FrictionSolution compliant_impulse(const TangentialContact& law, const Co
     wanted.sliding =
         compliant::led(wanted.sliding, s.sliding_limit, compliant::last_tractions(law, c, row).sliding,
                        compliant::halfway(row.spring_then, row.before.slide, motion.slip, row.span));
-  if (s.torsion.stiffness > 0)
+  if (Turns && s.torsion.stiffness > 0)
     wanted.torsion = per_time * compliant::held_impulse(s.torsion, compliant::scalar(row.held.twist),
                                                         compliant::scalar(p.before.spin),
                                                         compliant::scalar(p.free.spin), m.roll, row)
                                     .x;
-  if (s.rolling.stiffness > 0) {
+  if (Turns && s.rolling.stiffness > 0) {
     const Vec3 roll = p.free.roll + m.cross * guess.sliding;
     wanted.rolling = per_time * compliant::held_impulse(s.rolling, row.held.roll, p.before.roll, roll, m.roll, row);
     if (!row.fresh && compliant::over(wanted.rolling, s.rolling_limit))
       wanted.rolling = compliant::led(wanted.rolling, s.rolling_limit, compliant::last_tractions(law, c, row).rolling,
                                       compliant::halfway(s.rolling, row.before.roll, motion.roll, row.span));
   }
-  row.answer = limited(s, wanted, t);
+  if constexpr (Turns) {
+    row.answer = limited(s, wanted, t);
+  } else {
+    const contact::Cut sliding = contact::cut(wanted.sliding, s.sliding_limit);
+    row.answer.traction.sliding = sliding.traction, row.answer.slides = sliding.limit;
+  }
   const Traction& found = row.answer.traction;
   return {.impulse = {t * found.sliding, t * found.torsion, t * found.rolling},
           .sticks = !row.answer.slides && !row.answer.twists,
@@ -219,10 +233,11 @@ inline FrictionSolution compliant_impulse(const TangentialContact& law, const Co
 
 /// `mean` is the motion halfway between before and after the impulse, `force` the R at the end of a fresh contact's
 /// step [N]. To be asked before the contact's own impulse of the last step is forgotten.
-inline CompliantEnd compliant_end(const TangentialContact& law, const CompliantRow& row, const ContactState& contact,
+template <bool Turns>
+RICOCHET_INNERMOST CompliantEnd compliant_end(const TangentialContact& law, const CompliantRow& row, const ContactState& contact,
                                   const SlipMotion& mean, double force) noexcept {
-  const TangentialState s = tangential_state(law, row.approach.pressing, 0);
-  CompliantEnd end{.elongation = compliant::elongation_after(law, contact, row, s, mean, force)};
+  const TangentialState s = tangential_state(law, row.approach.pressing, 0, row.spring_now);
+  CompliantEnd end{.elongation = compliant::elongation_after<Turns>(law, contact, row, s, mean, force)};
   end.stored = stored_energy(s, end.elongation).sum();
   if (!row.fresh) {
     TangentialState then = s;
@@ -242,8 +257,8 @@ struct CompliantLoss {
   bool sticks = false;  ///< throughout, on springs of constant stiffness
 };
 
-inline CompliantLoss compliant_loss(const TangentialContact& law, const CompliantRow& row, double released) noexcept {
-  const Spring now = spring(law.law, row.approach.pressing.overlap);
+RICOCHET_INNERMOST CompliantLoss compliant_loss(const CompliantRow& row, double released) noexcept {
+  const Spring now = row.spring_now;
   const bool constant = now.stiffness == row.spring_then.stiffness;
   return {released, row.duration, now.damping, !compliant::yields(row) && !row.fresh && constant};
 }

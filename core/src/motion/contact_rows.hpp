@@ -1,0 +1,94 @@
+#pragma once
+
+#include "contact_motion.hpp"
+
+#include <ricochet/motion/cluster.hpp>
+
+// What a contact's solution begins with, by sweeps or at once.
+namespace ricochet {
+
+RICOCHET_INNERMOST SlipMobility Cluster::slip_mobility(const ContactState& c, const ContactGeometry& g) const noexcept {
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  const double mi = inverse_mass_[i], mj = inverse_mass_[j], ji = inverse_inertia_[i], jj = inverse_inertia_[j];
+  return {mi + mj + g.arm_i * g.arm_i * ji + g.arm_j * g.arm_j * jj, g.arm_i * ji - g.arm_j * jj, ji + jj};
+}
+
+RICOCHET_INNERMOST double Cluster::radius_eff(const ContactState& c) const noexcept {
+  const double ri = radii_[c.record.i];
+  return c.record.j < size() ? ri * radii_[c.record.j] / (ri + radii_[c.record.j]) : ri;
+}
+
+// From the memory to the middle all fly straight: means are those halfway.
+template <bool Turns>
+RICOCHET_INNERMOST motion::CompliantRow Cluster::compliant_row(std::size_t contact) const noexcept {
+  const ContactState& c = state_.contacts[contact];
+  const ContactGeometry& g = geometries_[contact];
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  const Motion &one = motions_[i], &other = motions_[j];
+  const Vec3 v = one.velocity - other.velocity;
+  const TangentialContact& law = models_[c.model].tangential;
+  motion::CompliantApproach approach{.normal_then = g.normal,
+                                     .normal = g.normal,
+                                     .motion = motion::slip_of(g, v, one.spin, other.spin),
+                                     .pressing = {0, g.overlap, g.radius, radius_eff(c)},
+                                     .step = options_.step,
+                                     .since_touch = normals_[contact].since_touch};
+  approach.motion.slip -=
+      c.lag / options_.step * motion::turning(g, v, one.spin, other.spin, j >= size(), 0.5 * options_.step);
+  if (j < size()) {
+    const Vec3 branch = (g.arm_i + g.arm_j) * g.normal + c.lag * v;
+    const double distance = norm(branch);
+    if (distance > 0) approach.normal_then = 1 / distance * branch;
+    if (Turns) {
+      const Vec3 spin = one.spin - other.spin;
+      const Vec3 between = approach.normal_then + g.normal;
+      const double length = norm(between);
+      const Vec3 normal = length > 0 ? between / length : g.normal;
+      approach.motion.spin = dot(spin, normal), approach.motion.roll = cross(spin, normal);
+    }
+  }
+  return motion::compliant_row<Turns>(law, c, approach);
+}
+
+RICOCHET_INNERMOST double Cluster::normal_impulse(const ContactState& c, const motion::NormalRow& row, double rate_free) const noexcept {
+  if (row.duration == 0) return row.fixed_impulse;
+  // R in the middle of the step, implicit in the mean rate: affine in it for every law here.
+  const double h = row.duration;
+  const double explicit_force = row.force + row.slope * (0.5 * (row.rate + rate_free) - row.rate);
+  const double force = explicit_force / (1 + 0.5 * h * row.slope * row.mobility);
+  if (models_[c.model].end == ContactEnd::overlap) return h * force;
+  // Only what repels counts. Over the step R is taken as linear; where it changes sign, the triangle remains.
+  const double slope = (force - c.force) / c.lag;
+  const double first = force - 0.5 * h * slope, last = force + 0.5 * h * slope;
+  if (first >= 0 && last >= 0) return h * force;
+  if (first <= 0 && last <= 0) return 0;
+  const double peak = std::max(first, last);
+  return 0.5 * peak * peak / std::abs(slope);
+}
+
+RICOCHET_INNERMOST SlipMotion Cluster::slip_motion(const ContactState& c, const ContactGeometry& g, Vec3 v) const noexcept {
+  return motion::slip_of(g, v, state_.spins[c.record.i], state_.spins[c.record.j]);
+}
+
+RICOCHET_INNERMOST SlipMotion Cluster::slip_before(const ContactState& c, const ContactGeometry& g) const noexcept {
+  const Motion &i = motions_[c.record.i], &j = motions_[c.record.j];
+  return motion::slip_of(g, i.velocity - j.velocity, i.spin, j.spin);
+}
+
+RICOCHET_INNERMOST SlipMotion Cluster::mean_slip(const ContactState& c, const ContactGeometry& g) const noexcept {
+  const Motion &i = motions_[c.record.i], &j = motions_[c.record.j];
+  return motion::slip_of(g, i.velocity_mid - j.velocity_mid, i.spin_mid, j.spin_mid);
+}
+
+RICOCHET_INNERMOST ContactGeometry Cluster::geometry(std::uint32_t i, std::uint32_t j) const noexcept {
+  const Vec3 xi = state_.half_positions[i];
+  if (j < size()) return sphere_sphere(xi, radii_[i], state_.half_positions[j], radii_[j]);
+  const PlaneWall& wall = walls_[j - size()];
+  return sphere_wall(xi, radii_[i], wall.point, wall.inward);
+}
+
+RICOCHET_INNERMOST Vec3 Cluster::relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept {
+  return state_.velocities[i] - state_.velocities[j];
+}
+
+}  // namespace ricochet
