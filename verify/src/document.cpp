@@ -56,7 +56,7 @@ std::string study_text(const Study& study, const StudyResult& result, Format for
   if (format == Format::csv) return study_csv(study, result);
   if (format == Format::junit) return junit_document(junit_suite(study.name(), result.gates));
   auto tables = result.tables;
-  tables.push_back(gate_table(result.gates));
+  if (!result.gates.empty()) tables.push_back(gate_table(result.gates));
   std::string text = console::render_all(tables, format);
   if (format == Format::table && !result.verdict.empty())
     text += fmt::format("\n{}\n", fmt::join(console::wrapped(result.verdict), "\n"));

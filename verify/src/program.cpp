@@ -31,6 +31,8 @@ struct Options {
 };
 
 Exit judged(const Study& study, const StudyResult& result) {
+  if (result.gates.empty())
+    console::complain("verify", fmt::format("{}: no gates: nothing is claimed of what was run", study.name()));
   for (const Gate& gate : result.gates)
     if (!gate.pass)
       console::complain("verify", fmt::format("{}: gate failed: {} = {}: must be {}", study.name(), gate.name,

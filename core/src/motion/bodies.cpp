@@ -13,13 +13,6 @@ namespace ricochet {
 double Sphere::mass() const noexcept { return 4.0 / 3 * std::numbers::pi * radius * radius * radius * density; }
 double Sphere::inertia() const noexcept { return 0.4 * mass() * radius * radius; }
 
-std::vector<Wall> box_walls(Vec3 low, Vec3 high, std::size_t material) {
-  if (!(low.x < high.x && low.y < high.y && low.z < high.z))
-    throw std::invalid_argument("box: low must be below high in x, y and z");
-  return {{low, {1, 0, 0}, material},   {high, {-1, 0, 0}, material}, {low, {0, 1, 0}, material},
-          {high, {0, -1, 0}, material}, {low, {0, 0, 1}, material},   {high, {0, 0, -1}, material}};
-}
-
 namespace {
 
 void require_finite(const std::string& what, Vec3 v) {
@@ -30,14 +23,15 @@ void require_finite(const std::string& what, Vec3 v) {
 // Greatest approach speed of two bodies, gravity having acted over the greatest diameter.
 double approach_speed(const ClusterSetup& setup) {
   double fastest = 0, second = 0, radius = 0;
-  for (const Sphere& s : setup.spheres) {
-    const double v = norm(s.velocity);
+  const auto flies = [&](double v) {
     if (v > fastest)
       second = fastest, fastest = v;
     else
       second = std::max(second, v);
-    radius = std::max(radius, s.radius);
-  }
+  };
+  for (const Sphere& s : setup.spheres) flies(norm(s.velocity)), radius = std::max(radius, s.radius);
+  for (const Wall& w : setup.walls)
+    flies(norm(w.motion.velocity) + 2 * std::numbers::pi * w.motion.frequency * norm(w.motion.amplitude));
   return fastest + second + std::sqrt(4 * norm(setup.gravity) * radius);
 }
 
@@ -69,6 +63,25 @@ double resolved_time(const Interaction& interaction, double mass, double speed) 
   return stiffness > 0 ? std::min(normal, std::numbers::pi * std::sqrt(2.0 / 7 * mass / stiffness)) : normal;
 }
 
+// A finite wall would have to be there in every cell; one that moves along the axis may.
+bool same_along(const Wall& wall, Vec3 period) {
+  const Vec3 axis = wall.inward / norm(wall.inward);
+  const auto same = [&](Vec3 along) {
+    if (std::holds_alternative<surface::Plane>(wall.form)) return std::abs(dot(axis, along)) <= 1e-12;
+    return std::holds_alternative<surface::Cylinder>(wall.form) && norm(tangential(along, axis)) <= 1e-12;
+  };
+  return (period.x == 0 || same({1, 0, 0})) && (period.y == 0 || same({0, 1, 0})) && (period.z == 0 || same({0, 0, 1}));
+}
+
+void check_periods(const ClusterSetup& setup) {
+  double radius = 0;
+  for (const auto* const spheres : {&setup.spheres, &setup.later})
+    for (const Sphere& s : *spheres) radius = std::max(radius, s.radius);
+  for (const double period : {setup.periodic.period.x, setup.periodic.period.y, setup.periodic.period.z})
+    support::require(period == 0 || (period > 4 * radius && std::isfinite(period)), "period", period,
+                     "0 or more than 4 of the greatest radius");
+}
+
 }  // namespace
 
 StiffestContact stiffest_contact(const ClusterSetup& setup) {
@@ -95,23 +108,30 @@ StiffestContact stiffest_contact(const ClusterSetup& setup) {
   return stiffest;
 }
 
+void check(const Sphere& s, std::size_t number) {
+  const std::string who = "sphere " + std::to_string(number);
+  support::require_positive((who + " radius").c_str(), s.radius);
+  support::require_positive((who + " density").c_str(), s.density);
+  require_finite(who + " position", s.position);
+  require_finite(who + " velocity", s.velocity);
+  require_finite(who + " spin", s.spin);
+}
+
 void check(const ClusterSetup& setup) {
-  for (std::size_t i = 0; i < setup.spheres.size(); ++i) {
-    const Sphere& s = setup.spheres[i];
-    const std::string who = "sphere " + std::to_string(i + 1);
-    support::require_positive((who + " radius").c_str(), s.radius);
-    support::require_positive((who + " density").c_str(), s.density);
-    require_finite(who + " position", s.position);
-    require_finite(who + " velocity", s.velocity);
-    require_finite(who + " spin", s.spin);
-  }
+  for (std::size_t i = 0; i < setup.spheres.size(); ++i) check(setup.spheres[i], i + 1);
   for (std::size_t w = 0; w < setup.walls.size(); ++w) {
     const std::string who = "wall " + std::to_string(w + 1);
-    require_finite(who + " point", setup.walls[w].point);
-    require_finite(who + " inward", setup.walls[w].inward);
-    support::require_positive((who + " |inward|").c_str(), norm(setup.walls[w].inward));
+    try {
+      check(setup.walls[w]);
+    } catch (const std::invalid_argument& wrong) {
+      throw std::invalid_argument(who + " " + wrong.what());
+    }
+    if (!same_along(setup.walls[w], setup.periodic.period))
+      throw std::invalid_argument(who +
+                                  ": must be the same all along a periodic axis, so a plane or cylinder along it");
   }
   require_finite("gravity", setup.gravity);
+  check_periods(setup);
   const auto meets = [&](std::size_t a, std::size_t b) {
     const auto found = setup.interactions.find(std::minmax(a, b));
     if (found == setup.interactions.end())
@@ -123,7 +143,10 @@ void check(const ClusterSetup& setup) {
     const double breakage = i.breakage_energy;
     support::require(breakage >= 0, "breakage_energy", breakage, ">= 0");
   };
-  const auto lightest = lightest_of(setup);
+  ClusterSetup all;
+  all.spheres = setup.spheres, all.walls = setup.walls;
+  all.spheres.insert(all.spheres.end(), setup.later.begin(), setup.later.end());
+  const auto lightest = lightest_of(all);
   for (const auto& [a, of_a] : lightest)
     for (const auto& [b, of_b] : lightest) {
       if (b < a || !(of_a.first || of_b.first)) continue;

@@ -5,6 +5,7 @@
 #include <ricochet/support/require.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -31,9 +32,12 @@ std::string_view name(Phase phase) noexcept {
 
 namespace {
 
+constexpr std::uint32_t no_model = std::numeric_limits<std::uint32_t>::max();
+
 std::vector<double> radii_of(const ClusterSetup& setup) {
   check(setup);  // first of all, as everything else reads the setup
   std::vector<double> radii;
+  radii.reserve(setup.spheres.size());
   for (const Sphere& s : setup.spheres) radii.push_back(s.radius);
   return radii;
 }
@@ -52,7 +56,8 @@ Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)
       gravity_(setup.gravity),
       long_range_(setup.long_range),
       radii_(radii_of(setup)),
-      neighbours_(radii_, skin_of(setup, options)) {
+      periodic_(setup.periodic),
+      neighbours_(radii_, skin_of(setup, options), periodic_.period) {
   support::require_positive("step", options.step);
   support::require_not_negative("longest_contact", options.longest_contact);
   const double tolerance = options.kernel_tolerance;
@@ -61,34 +66,29 @@ Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)
   require(options.max_sweeps >= 1, "max_sweeps", options.max_sweeps, "at least 1");
   add_bodies(setup);
   add_models(setup.interactions);
+  find_touching();  // who overlaps at the start
 }
 
 void Cluster::add_bodies(const ClusterSetup& setup) {
-  for (const Sphere& s : setup.spheres) {
-    masses_.push_back(s.mass());
-    inertias_.push_back(s.inertia());
-    inverse_mass_.push_back(1 / s.mass());
-    inverse_inertia_.push_back(1 / s.inertia());
-    materials_.push_back(s.material);
-    state_.half_positions.push_back(s.position + 0.5 * options_.step * s.velocity);
-    state_.velocities.push_back(s.velocity);
-    state_.spins.push_back(s.spin);
-  }
+  for (const Sphere& s : setup.spheres) add_sphere(s);
   for (const Wall& w : setup.walls) {
-    walls_.push_back({w.point, w.inward / norm(w.inward)});
+    walls_.emplace_back(w);
+    walls_travel_ = walls_travel_ || walls_.back().travels();
+    walls_swing_ = walls_swing_ || walls_.back().swings();
+    walls_drive_ = walls_drive_ || walls_.back().drives();
     inverse_mass_.push_back(0);
     inverse_inertia_.push_back(0);
     materials_.push_back(w.material);
     state_.velocities.push_back({});
-    state_.spins.push_back({});
+    state_.spins.push_back(walls_.back().spin());
   }
-  state_.velocity_gains.assign(size(), {});
-  state_.spin_gains.assign(size(), {});
+  set_wall_velocities(0);
   for (std::size_t m : materials_) material_count_ = std::max(material_count_, m + 1);
+  for (const Sphere& s : setup.later) material_count_ = std::max(material_count_, s.material + 1);
 }
 
 void Cluster::add_models(const Interactions& interactions) {
-  model_table_.assign(material_count_ * material_count_, 0);
+  model_table_.assign(material_count_ * material_count_, no_model);
   for (const auto& [pair, interaction] : interactions) {
     if (pair.first >= material_count_ || pair.second >= material_count_) continue;
     model_table_[pair.first * material_count_ + pair.second] = static_cast<std::uint32_t>(models_.size());
@@ -136,6 +136,8 @@ ClusterEnergy Cluster::energy() const noexcept {
   e.lost_normal = state_.lost_normal;
   e.lost_friction = state_.lost_friction;
   e.long_range_work = state_.long_range_work;
+  e.wall_work = state_.wall_work;
+  e.brought = state_.brought;
   return e;
 }
 
@@ -196,6 +198,8 @@ void Cluster::restore(ClusterState state) {
   check_contacts(state);
   for (const ContactState& c : state_.contacts) models_[c.model].normal->forget(c);
   state_ = std::move(state);
+  for (std::size_t w = 0; w < walls_.size(); ++w) state_.spins[size() + w] = walls_[w].spin();
+  set_wall_velocities(time());
   for (std::size_t k = 0; k < state_.contacts.size(); ++k) {
     ContactState& c = state_.contacts[k];
     c.model = model_of(c.record.i, c.record.j);
@@ -208,7 +212,8 @@ void Cluster::restore(ClusterState state) {
 std::optional<Breakthrough> Cluster::breakthrough() const noexcept {
   for (const ContactState& c : state_.contacts) {
     const auto [i, j] = std::pair(c.record.i, c.record.j);
-    if (c.approach.overlap > Breakthrough::share * (j < size() ? std::min(radii_[i], radii_[j]) : radii_[i]))
+    const double radius = j < size() ? std::min(radii_[i], radii_[j]) : radii_[i];
+    if (c.approach.overlap > Breakthrough::share * radius || crossed(c))
       return Breakthrough{i, j, norm(relative_velocity(i, j))};
   }
   for (std::uint32_t i = 0; i < size(); ++i)

@@ -40,7 +40,7 @@ void Cluster::foresee() noexcept {
     m.spin_mid = m.spin + 0.5 * state_.spin_gains[i];
   }
   for (std::size_t i = size(); i < motions_.size(); ++i)
-    motions_[i].velocity_mid = motions_[i].velocity, motions_[i].spin_mid = motions_[i].spin;
+    motions_[i].velocity_mid = 0.5 * (motions_[i].velocity + state_.velocities[i]), motions_[i].spin_mid = motions_[i].spin;
 }
 
 void Cluster::pass_at_once() {
@@ -108,7 +108,7 @@ void Cluster::pass(std::size_t contact) noexcept {
   const ContactGeometry& g = geometries_[contact];
   motion::NormalRow& along = normals_[contact];
   const Motion &i = motions_[c.record.i], &j = motions_[c.record.j];
-  const Vec3 v = i.velocity_mid - j.velocity_mid;
+  const Vec3 v = i.velocity_mid - j.velocity_mid - swept(c, g);
   const double rate_free = 2 * dot(v, g.normal) - along.rate + along.mobility * c.normal_impulse;
   along.impulse = normal_impulse(c, along, rate_free);
   Passed& passed = passed_[contact];

@@ -11,9 +11,13 @@ void Cluster::conclude() {
   for (std::size_t k = 0; k < geometries_.size(); ++k) {
     const ContactState& c = state_.contacts[k];
     const Motion &i = motions_[c.record.i], &j = motions_[c.record.j];
-    normals_[k].rate_mid = dot(i.velocity_mid - j.velocity_mid, geometries_[k].normal);
+    const ContactGeometry& g = geometries_[k];
+    normals_[k].rate_mid = dot(i.velocity_mid - j.velocity_mid - swept(c, g), g.normal);
     if (models_[c.model].rubs()) state_.lost_friction += friction_loss(k);
     note_phases(k);
+    if (walls_drive_ && c.record.j >= size())
+      note_wall_work(c, g, normals_[k].impulse, models_[c.model].rubs() ? c.friction : FrictionImpulse{},
+                     motions_[c.record.j].velocity);
   }
   for (const Model& model : models_) model.normal->conclude(batch(model), time() + 0.5 * options_.step);
   for (std::size_t k = 0; k < geometries_.size(); ++k) {

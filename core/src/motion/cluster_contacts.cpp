@@ -31,25 +31,26 @@ double time_since_separation(Vec3 D, Vec3 V, double R) noexcept {
 void Cluster::list_candidates() {
   candidates_.clear();
   ++rebuilds_;
+  walls_listed_at_ = middle();
   const auto pairs = neighbours_.pairs();
   std::size_t k = 0;
   for (std::uint32_t i = 0; i < size(); ++i) {
     for (; k < pairs.size() && pairs[k].i == i; ++k) candidates_.push_back(pairs[k]);
     for (std::uint32_t w = 0; w < walls_.size(); ++w)
-      if (dot(state_.half_positions[i] - walls_[w].point, walls_[w].inward) <= radii_[i] + neighbours_.skin())
+      if (walls_[w].meet(state_.half_positions[i], radii_[i], middle()).overlap >= -neighbours_.skin())
         candidates_.push_back({i, static_cast<std::uint32_t>(size()) + w});
   }
 }
 
 inline bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
   if (j >= size()) return geometry(i, j).overlap > 0;
-  const Vec3 d = state_.half_positions[j] - state_.half_positions[i];
+  const Vec3 d = branch(i, j);
   const double reach = radii_[i] + radii_[j];
   return dot(d, d) < reach * reach;
 }
 
 void Cluster::find_touching() {
-  if (neighbours_.update(state_.half_positions)) list_candidates();
+  if (neighbours_.update(state_.half_positions) || walls_moved()) list_candidates();
   std::vector<ContactState> born;
   auto known = state_.contacts.begin();
   for (const NearPair& pair : candidates_) {
@@ -71,7 +72,7 @@ void Cluster::group_contacts() {
 }
 
 ContactState Cluster::begin_contact(std::uint32_t i, std::uint32_t j) {
-  const double h = options_.step, middle = time() + 0.5 * h;
+  const double h = options_.step;
   const Vec3 v = relative_velocity(i, j);
   const ContactGeometry now = geometry(i, j);
   const double longest = state_.steps == 0 ? 0.5 * h : h;  // nobody touched before time 0
@@ -79,7 +80,7 @@ ContactState Cluster::begin_contact(std::uint32_t i, std::uint32_t j) {
   c.record.i = i, c.record.j = j;
   c.model = model_of(i, j);
   if (j < size()) {
-    const Vec3 d = state_.half_positions[j] - state_.half_positions[i];
+    const Vec3 d = branch(i, j);
     c.lag = std::min(longest, time_since_touch(d, -v, radii_[i] + radii_[j]));
     const Vec3 at_touch = d + c.lag * v;
     const double distance = norm(at_touch);
@@ -91,7 +92,7 @@ ContactState Cluster::begin_contact(std::uint32_t i, std::uint32_t j) {
   }
   const bool overlapped_at_start = state_.steps == 0 && c.lag == longest;
   if (!overlapped_at_start) c.approach.overlap = 0;  // what is left is rounding
-  c.record.begin = std::max(0.0, middle - c.lag);
+  c.record.begin = std::max(0.0, middle() - c.lag);
   c.record.phase_begin[static_cast<std::size_t>(Phase::compression)] = c.record.begin;
   models_[c.model].normal->begin(c);
   c.fresh = !overlapped_at_start;  // who rests on another since before time 0 has not just touched it
@@ -106,8 +107,7 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
   const Vec3 v = relative_velocity(i, j);
   const double rate = dot(v, g.normal);
   double since =
-      j < size() ? time_since_separation(state_.half_positions[j] - state_.half_positions[i], -v, radii_[i] + radii_[j])
-                 : (rate < 0 ? g.overlap / rate : 0.0);
+      j < size() ? time_since_separation(branch(i, j), -v, radii_[i] + radii_[j]) : (rate < 0 ? g.overlap / rate : 0.0);
   since = std::min(since, h);
   c.record.separation = time() + 0.5 * h - since;
   if (c.record.end == Encounter::never) {
@@ -123,6 +123,7 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
     const double slope = span > 0 ? (at_separation - c.force) / span : 0.0;
     const double impulse = by_force ? -0.5 * slope * rest * std::max(0.0, rest) : at_separation * rest;
     push(c, g, impulse);
+    note_wall_work(c, g, impulse, {}, state_.velocities[j]);
     state_.lost_normal += impulse * rate;
   }
   state_.lost_normal += c.stored;  // what the memory still held is forgotten

@@ -22,11 +22,9 @@ void Cluster::prepare_rows() {
 void Cluster::prepare_friction(std::size_t contact) noexcept {
   const ContactState& c = state_.contacts[contact];
   const ContactGeometry& g = geometries_[contact];
-  const std::uint32_t i = c.record.i, j = c.record.j;
   Row& row = rows_[contact];
   row.mobility = slip_mobility(c, g);
-  row.turning = motion::turning(g, relative_velocity(i, j), state_.spins[i], state_.spins[j], j >= size(),
-                                0.5 * options_.step);
+  row.turning = turning(c, g, relative_velocity(c.record.i, c.record.j));
   // The last step's impulse is the guess for this one.
   row.friction.impulse = c.friction;
   row.friction.impulse.sliding = tangential(c.friction.sliding, g.normal);

@@ -7,6 +7,29 @@
 // What a contact's solution begins with, by sweeps or at once.
 namespace ricochet {
 
+// From the centre of one sphere to that of another, across a border where that is nearer.
+RICOCHET_INNERMOST Vec3 Cluster::branch(std::uint32_t i, std::uint32_t j) const noexcept {
+  const Vec3 way = state_.half_positions[j] - state_.half_positions[i];
+  return periodic_.any() ? periodic_.shortest(way) : way;
+}
+
+RICOCHET_INNERMOST ContactGeometry Cluster::geometry(std::uint32_t i, std::uint32_t j) const noexcept {
+  if (j < size()) return sphere_sphere({}, radii_[i], branch(i, j), radii_[j]);
+  return wall_of(j).meet(state_.half_positions[i], radii_[i], middle());
+}
+
+RICOCHET_INNERMOST Vec3 Cluster::relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept {
+  return state_.velocities[i] - (j < size() || !walls_drive_ ? state_.velocities[j] : wall_velocity(i, j));
+}
+
+// Of the wall's surface where the sphere touches it in the middle of the step.
+inline Vec3 Cluster::wall_velocity(std::uint32_t i, std::uint32_t j) const noexcept {
+  const motion::Surface& wall = wall_of(j);
+  if (!wall.spins()) return state_.velocities[j];
+  const ContactGeometry g = geometry(i, j);
+  return state_.velocities[j] + wall.swept(state_.half_positions[i] + g.arm_i * g.normal, middle());
+}
+
 RICOCHET_INNERMOST SlipMobility Cluster::slip_mobility(const ContactState& c, const ContactGeometry& g) const noexcept {
   const std::uint32_t i = c.record.i, j = c.record.j;
   const double mi = inverse_mass_[i], mj = inverse_mass_[j], ji = inverse_inertia_[i], jj = inverse_inertia_[j];
@@ -18,6 +41,20 @@ RICOCHET_INNERMOST double Cluster::radius_eff(const ContactState& c) const noexc
   return c.record.j < size() ? ri * radii_[c.record.j] / (ri + radii_[c.record.j]) : ri;
 }
 
+// What the spin of a wall adds to its velocity where the sphere touches it.
+RICOCHET_INNERMOST Vec3 Cluster::swept(const ContactState& c, const ContactGeometry& g) const noexcept {
+  if (c.record.j < size() || !walls_drive_) return {};
+  return wall_of(c.record.j).swept(state_.half_positions[c.record.i] + g.arm_i * g.normal, middle());
+}
+
+// What u_t gains over half a step while velocities stay as they are; v = v_i − v_j.
+RICOCHET_INNERMOST Vec3 Cluster::turning(const ContactState& c, const ContactGeometry& g, Vec3 v) const noexcept {
+  const std::uint32_t j = c.record.j;
+  const bool wall = j >= size();
+  if (wall && !(wall_of(j).flat() && !wall_of(j).spins())) return wall_turning(c, 0.5 * options_.step);
+  return motion::turning(g, v, motions_[c.record.i].spin, motions_[j].spin, wall, 0.5 * options_.step);
+}
+
 // From the memory to the middle all fly straight: means are those halfway.
 template <bool Turns>
 RICOCHET_INNERMOST motion::CompliantRow Cluster::compliant_row(std::size_t contact) const noexcept {
@@ -25,7 +62,7 @@ RICOCHET_INNERMOST motion::CompliantRow Cluster::compliant_row(std::size_t conta
   const ContactGeometry& g = geometries_[contact];
   const std::uint32_t i = c.record.i, j = c.record.j;
   const Motion &one = motions_[i], &other = motions_[j];
-  const Vec3 v = one.velocity - other.velocity;
+  const Vec3 v = one.velocity - other.velocity - swept(c, g);
   const TangentialContact& law = models_[c.model].tangential;
   motion::CompliantApproach approach{.normal_then = g.normal,
                                      .normal = g.normal,
@@ -33,19 +70,21 @@ RICOCHET_INNERMOST motion::CompliantRow Cluster::compliant_row(std::size_t conta
                                      .pressing = {0, g.overlap, g.radius, radius_eff(c)},
                                      .step = options_.step,
                                      .since_touch = normals_[contact].since_touch};
-  approach.motion.slip -=
-      c.lag / options_.step * motion::turning(g, v, one.spin, other.spin, j >= size(), 0.5 * options_.step);
+  approach.motion.slip -= c.lag / options_.step * turning(c, g, v);
+  const bool curved = j >= size() && !wall_of(j).flat();
   if (j < size()) {
     const Vec3 branch = (g.arm_i + g.arm_j) * g.normal + c.lag * v;
     const double distance = norm(branch);
     if (distance > 0) approach.normal_then = 1 / distance * branch;
-    if (Turns) {
-      const Vec3 spin = one.spin - other.spin;
-      const Vec3 between = approach.normal_then + g.normal;
-      const double length = norm(between);
-      const Vec3 normal = length > 0 ? between / length : g.normal;
-      approach.motion.spin = dot(spin, normal), approach.motion.roll = cross(spin, normal);
-    }
+  } else if (curved) {
+    const Vec3 then = state_.half_positions[i] - c.lag * one.velocity;
+    approach.normal_then = wall_of(j).meet(then, radii_[i], middle() - c.lag).normal;
+  }
+  if (Turns && (j < size() || curved)) {
+    const Vec3 spin = one.spin - other.spin, between = approach.normal_then + g.normal;
+    const double length = norm(between);
+    const Vec3 normal = length > 0 ? between / length : g.normal;
+    approach.motion.spin = dot(spin, normal), approach.motion.roll = cross(spin, normal);
   }
   return motion::compliant_row<Turns>(law, c, approach);
 }
@@ -72,23 +111,12 @@ RICOCHET_INNERMOST SlipMotion Cluster::slip_motion(const ContactState& c, const 
 
 RICOCHET_INNERMOST SlipMotion Cluster::slip_before(const ContactState& c, const ContactGeometry& g) const noexcept {
   const Motion &i = motions_[c.record.i], &j = motions_[c.record.j];
-  return motion::slip_of(g, i.velocity - j.velocity, i.spin, j.spin);
+  return motion::slip_of(g, i.velocity - j.velocity - swept(c, g), i.spin, j.spin);
 }
 
 RICOCHET_INNERMOST SlipMotion Cluster::mean_slip(const ContactState& c, const ContactGeometry& g) const noexcept {
   const Motion &i = motions_[c.record.i], &j = motions_[c.record.j];
-  return motion::slip_of(g, i.velocity_mid - j.velocity_mid, i.spin_mid, j.spin_mid);
-}
-
-RICOCHET_INNERMOST ContactGeometry Cluster::geometry(std::uint32_t i, std::uint32_t j) const noexcept {
-  const Vec3 xi = state_.half_positions[i];
-  if (j < size()) return sphere_sphere(xi, radii_[i], state_.half_positions[j], radii_[j]);
-  const PlaneWall& wall = walls_[j - size()];
-  return sphere_wall(xi, radii_[i], wall.point, wall.inward);
-}
-
-RICOCHET_INNERMOST Vec3 Cluster::relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept {
-  return state_.velocities[i] - state_.velocities[j];
+  return motion::slip_of(g, i.velocity_mid - j.velocity_mid - swept(c, g), i.spin_mid, j.spin_mid);
 }
 
 }  // namespace ricochet

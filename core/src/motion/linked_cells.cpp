@@ -1,4 +1,5 @@
 #include <ricochet/motion/linked_cells.hpp>
+#include <ricochet/motion/periodic.hpp>
 
 #include <ricochet/support/require.hpp>
 
@@ -92,7 +93,8 @@ std::vector<NearPair> near_pairs(std::span<const Vec3> positions, std::span<cons
   return pairs;
 }
 
-NeighbourList::NeighbourList(std::vector<double> radii, double skin) : radii_(std::move(radii)), skin_(skin) {
+NeighbourList::NeighbourList(std::vector<double> radii, double skin, Vec3 period)
+    : radii_(std::move(radii)), skin_(skin), period_(period) {
   support::require_not_negative("skin", skin);
 }
 
@@ -109,7 +111,7 @@ bool NeighbourList::still_valid(std::span<const Vec3> positions) const noexcept 
 
 bool NeighbourList::update(std::span<const Vec3> positions) {
   if (still_valid(positions)) return false;
-  pairs_ = near_pairs(positions, radii_, skin_);
+  pairs_ = near_pairs(positions, radii_, skin_, Periodic{period_});
   built_at_.assign(positions.begin(), positions.end());
   return true;
 }

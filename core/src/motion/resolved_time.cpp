@@ -3,6 +3,7 @@
 #include "steepest.hpp"
 
 #include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/collision/scale_and_loss.hpp>
 
 #include <algorithm>
 
@@ -14,10 +15,8 @@ using std::numbers::pi;
 // How long a binary collision of the law lasts without its damping.
 double duration(const Linear& law, double mass, double) { return pi * std::sqrt(mass / law.k()); }
 double duration(const Hysteretic& law, double mass, double) { return pi * std::sqrt(mass / law.k2()); }
-// ½mv² = (2/5)kζ^{5/2}; t = 2.943 ζ/v (Landau & Lifshitz, Theory of Elasticity, §9).
 double hertz(double k, double mass, double speed) {
-  return speed > 0 ? 2.943 * std::pow(1.25 * mass * speed * speed / k, 0.4) / speed
-                   : std::numeric_limits<double>::infinity();
+  return speed > 0 ? hertz_time(k, {.velocity = speed, .mass_eff = mass}) : std::numeric_limits<double>::infinity();
 }
 double duration(const KuwabaraKono& law, double mass, double speed) { return hertz(law.k(), mass, speed); }
 double duration(const Tsuji& law, double mass, double speed) { return hertz(law.k(), mass, speed); }

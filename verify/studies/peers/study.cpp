@@ -3,11 +3,13 @@
 
 #include <verify/registry.hpp>
 
+#include <console/csv.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -106,22 +108,60 @@ double least_rise(const Curve& curve, const std::vector<double>& asked) {
   return least;
 }
 
+/// Peers that run one formula with one law and one end: their curves are the same curve.
+struct SameFormula {
+  const Curve* curve;
+  std::string ids;
+};
+
+std::vector<SameFormula> formulas(const std::vector<Curve>& curves) {
+  std::vector<SameFormula> all;
+  for (const Curve& curve : curves) {
+    const PeerDamping& peer = curve.peer;
+    const auto same = std::find_if(all.begin(), all.end(), [&](const SameFormula& f) {
+      const PeerDamping& other = f.curve->peer;
+      return other.damping_ratio == peer.damping_ratio && other.law == peer.law && other.end == peer.end;
+    });
+    if (same == all.end())
+      all.push_back({&curve, std::string(peer.id)});
+    else
+      same->ids += fmt::format("; {}", peer.id);
+  }
+  return all;
+}
+
+/// What an engine gave, `verify engines` says how: the restitution in the limit of small steps, to 1e-3 as there.
+std::vector<Gate> measured_gates(const std::vector<Curve>& curves, const std::vector<double>& asked) {
+  constexpr std::array columns{console::CsvColumn{"peer", "", true}, console::CsvColumn{"engine", "", true},
+                               console::CsvColumn{"en_asked", "", true}, console::CsvColumn{"en_obtained", "", true}};
+  console::CsvReader file(data_folder() + "/engine_restitutions.csv", columns);
+  std::vector<Gate> all;
+  while (file.next()) {
+    const auto at = std::find(asked.begin(), asked.end(), file.number(2));
+    const Curve& curve = find(curves, file.text(0));
+    const double ours = curve.obtained.at(static_cast<std::size_t>(at - asked.begin()));
+    all.push_back(near(fmt::format("{}, asked {}: en against what {} gave", file.text(0), file.number(2), file.text(1)),
+                       ours, file.number(3), 1e-3 * file.number(3)));
+  }
+  return all;
+}
+
 std::vector<Gate> gates(const std::vector<Curve>& curves, const std::vector<double>& asked) {
   std::vector<Gate> all;
   double closed_form = 0;
   for (const Curve& curve : curves) closed_form = std::max(closed_form, curve.closed_form);
   all.push_back(at_most("closed forms against the integrated contact, all peers, relative", closed_form, 1e-10));
-  for (const Curve& curve : curves)
-    if (curve.peer.exact)
-      all.push_back(
-          at_most(fmt::format("{}: exact, worst relative error", curve.peer.id), curve.worst_relative, 1e-10));
+  for (const auto& [curve, ids] : formulas(curves))
+    if (curve->peer.exact)
+      all.push_back(at_most(fmt::format("exact, worst relative error: {}", ids), curve->worst_relative, 1e-10));
   // What a clipped force does is known in sign: the attraction that would have slowed the rebound is missing.
-  for (const Curve& curve : curves)
-    if (curve.peer.end == ContactEnd::force && logarithmic(curve.peer))
-      all.push_back(at_least(fmt::format("{}: clipping raises the restitution, least rise", curve.peer.id),
-                             least_rise(curve, asked), 0));
+  for (const auto& [curve, ids] : formulas(curves))
+    if (curve->peer.end == ContactEnd::force && logarithmic(curve->peer))
+      all.push_back(
+          at_least(fmt::format("clipping raises the restitution, least rise: {}", ids), least_rise(*curve, asked), 0));
   all.push_back(holds("Marshall's fit belongs to the particle's mass, not to the pair's effective mass",
                       find(curves, "lammps tsuji 2026").worst < find(curves, "lammps tsuji 2021").worst));
+  for (const Gate& gate : measured_gates(curves, asked)) all.push_back(gate);
   return all;
 }
 

@@ -25,7 +25,7 @@ using console::Table;
 
 constexpr calibration::Target target{paper::pair.tcol, paper::pair.en, paper::pair.impact};
 constexpr double greatest_deviation = 3e-3;  ///< of the printed coefficients from the exact ones, relative
-constexpr double hit = 1e-10;                ///< of the target by ours, relative
+constexpr double hit = 2e-9;  ///< of the target by ours: twice the error of the generic collision, relative
 
 /// One law of the table: as printed, as recomputed.
 struct Row {
@@ -36,6 +36,7 @@ struct Row {
   Collision paper_gives = {};
   std::vector<NamedValue> ours = {};
   Collision ours_give = {};
+  Collision ours_otherwise = {};  ///< by a way that calibrate does not go
 };
 
 /// The printed table; throws console::BadInput where the file cannot be read.
@@ -62,6 +63,16 @@ AnyLaw law_of(const Row& row) {
   return row.law.with(values);
 }
 
+/// The generic collision, which knows nothing of the law but its force; of the fractional law, whose force is none of
+/// the present approach, the closed form, where calibrate's answer is checked by collocation.
+template <class Law>
+Collision otherwise(const Law& law, ContactEnd end) {
+  if constexpr (ContactLaw<Law>)
+    return collide<Law>(law, target.impact, {.end = end});
+  else
+    return collide(law, target.impact, {.end = end, .method = CollideMethod::closed_form});
+}
+
 /// Both sets of coefficients run through the numerical collision; the fractional law holds the printed k.
 void complete(Row& row) {
   const CollideOptions options{.end = row.end, .method = CollideMethod::numerical};
@@ -71,6 +82,7 @@ void complete(Row& row) {
   const auto ours = std::get<Calibration>(calibration::calibrate(request));
   row.ours = parameters(ours.law);
   row.ours_give = ours.achieved;
+  row.ours_otherwise = std::visit([&](const auto& law) { return otherwise(law, row.end); }, ours.law);
 }
 
 double deviation(double value, double reference) { return std::abs(value / reference - 1); }
@@ -192,13 +204,12 @@ class Table2 : public Study {
       greatest = std::max(greatest, worst_coefficient(row));
       greatest_miss = std::max(greatest_miss, miss(row.paper_gives));
       result.gates.push_back(
-          at_most(row.name + ": our coefficients miss the target by, relative", miss(row.ours_give), hit));
+          at_most(row.name + ": our coefficients miss the target in a collision that calibrate does not run, relative",
+                  miss(row.ours_otherwise), hit));
       result.gates.push_back(at_most(row.name + ": the paper's coefficients differ from ours by, relative",
                                      worst_coefficient(row), greatest_deviation));
     }
     const double moved = overlap_end_moved();
-    result.gates.push_back(
-        at_most("fractional: another (k, c) for the same target moves the end overlap by, relative", moved, hit));
     result.tables = {coefficients(rows), outcomes(rows)};
     result.remarks = remarks(greatest, greatest_miss, moved);
     result.rows = rows_json(rows);

@@ -2,6 +2,8 @@
 
 #include <ricochet/contact/tangential.hpp>
 #include <ricochet/motion/normal_law.hpp>
+#include <ricochet/motion/periodic.hpp>
+#include <ricochet/motion/wall.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -25,16 +27,6 @@ struct Sphere {
   double mass() const noexcept;     ///< [kg]
   double inertia() const noexcept;  ///< [kg m²]
 };
-
-/// An immovable plane through `point`; `inward` (any length > 0) points to the side of the spheres.
-struct Wall {
-  Vec3 point{};
-  Vec3 inward{0, 0, 1};
-  std::size_t material = 0;
-};
-
-/// The six walls of the box from `low` to `high`, spheres inside. Throws std::invalid_argument unless low < high.
-std::vector<Wall> box_walls(Vec3 low, Vec3 high, std::size_t material = 0);
 
 /// How two materials meet.
 struct Interaction {
@@ -62,6 +54,9 @@ struct ClusterSetup {
   Interactions interactions;
   Vec3 gravity{};  ///< [m/s²]
   LongRangeForce long_range;
+  /// Periods are more than four of the greatest radius, skins included, and walls the same along a periodic axis.
+  Periodic periodic{};
+  std::vector<Sphere> later{};  ///< that Cluster::add may bring; only their materials count
 };
 
 /// Masses and speed of the stiffest meeting of a setup.
@@ -79,8 +74,13 @@ struct StiffestContact {
 /// √(m_t/k_t), m_t = (2/7) m, Mindlin's k_t at the overlap v t_col/π.
 StiffestContact stiffest_contact(const ClusterSetup& setup);
 
+/// Throws std::invalid_argument naming the sphere by its number and what is wrong: a radius or density that is not
+/// finite and positive, a number that is not finite.
+void check(const Sphere& sphere, std::size_t number);
+
 /// Throws std::invalid_argument naming what is wrong: a radius, density or number that is not finite or not positive, a
-/// wall without direction, a limit without a spring, or a pair of materials that can meet and has no interaction.
+/// wall as check(Wall) has it, or not the same along a periodic axis, a limit without a spring, or a pair of materials
+/// that can meet and has no interaction.
 void check(const ClusterSetup& setup);
 
 }  // namespace ricochet

@@ -4,6 +4,7 @@
 #include <ricochet/motion/bodies.hpp>
 #include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/engine/compliant_contact.hpp>
+#include <ricochet/motion/engine/surface.hpp>
 #include <ricochet/motion/linked_cells.hpp>
 
 #include <cstdint>
@@ -36,10 +37,14 @@ struct ClusterOptions {
 /// forces and friction have taken since the start.
 struct ClusterEnergy {
   double kinetic = 0, gravity = 0, stored = 0, lost_normal = 0, lost_friction = 0, long_range_work = 0;
-  double strained = 0;  ///< what springs in the tangent plane hold
+  double strained = 0;   ///< what springs in the tangent plane hold
+  double wall_work = 0;  ///< what moving walls have done on the spheres
+  double brought = 0;    ///< with spheres that came, less what those that left took along
 
   double mechanical() const noexcept { return kinetic + gravity + stored + strained; }
-  double total() const noexcept { return mechanical() + lost_normal + lost_friction - long_range_work; }
+  double total() const noexcept {
+    return mechanical() + lost_normal + lost_friction - long_range_work - wall_work - brought;
+  }
 };
 
 /// What a law remembers of one contact.
@@ -54,7 +59,7 @@ struct ClusterState {
   std::vector<Vec3> half_positions, velocities, spins;
   std::vector<ContactState> contacts;   ///< ordered by their pairs; `model` and `slot` are the cluster's own affair
   std::vector<ContactMemory> memories;  ///< of these contacts
-  double lost_normal = 0, lost_friction = 0, long_range_work = 0;
+  double lost_normal = 0, lost_friction = 0, long_range_work = 0, wall_work = 0, brought = 0;
   std::uint64_t unconverged = 0;  ///< steps that ended at max_sweeps
   double worst_change = 0;  ///< of their last sweeps' greatest changes, relative to the greatest impulse of the step
   /// By contacts in the last step, of spheres; empty: none.
@@ -62,8 +67,9 @@ struct ClusterState {
 };
 
 /// Where a motion says nothing any more: bodies that went into each other by more than 1.5 of the smaller radius (the
-/// softest of the paper's own cases goes in by more than 1), on the way to the other side; or a sphere (`j` is then
-/// `i`) that a single step moves by its radius, so that it could miss whom it meets.
+/// softest of the paper's own cases goes in by more than 1), on the way to the other side; a centre that went through a
+/// surface which ends somewhere; or a sphere (`j` is then `i`) that a single step moves by its radius, so that it could
+/// miss whom it meets.
 struct Breakthrough {
   static constexpr double share = 1.5;
   std::uint32_t i = 0, j = 0;  ///< bodies; walls count from the number of spheres
@@ -87,11 +93,19 @@ struct Breakthrough {
 /// 1+p with a small constant (the graded first step takes most of it).
 class Cluster {
  public:
-  /// Throws std::invalid_argument for a setup that `check` rejects or an option outside its domain. Spheres that
-  /// overlap at the start count as touching since time 0.
+  /// Throws std::invalid_argument for a setup that `check` rejects or an option outside its domain. Bodies that
+  /// overlap at the start have touched since time 0: springs and memories begin then, what the overlap stores is there.
   Cluster(const ClusterSetup& setup, const ClusterOptions& options);
 
   void step();
+
+  /// Spheres that come at time(), numbered on from those that are there. Throws std::invalid_argument, nothing changed,
+  /// for one that `check` rejects, or of a material that no sphere of the setup had, now or later.
+  void add(std::span<const Sphere> spheres);
+  /// Takes spheres away, their contacts with them as they are (Encounter::separation: never); the others move up.
+  /// `leaving`: numbers from 0, ascending. Throws std::invalid_argument for others.
+  void remove(std::span<const std::uint32_t> leaving);
+
   /// False as soon as a position or velocity is not finite: the step was far too large.
   bool advance(std::uint64_t steps);
 
@@ -140,9 +154,6 @@ class Cluster {
       return tangential.friction.mu_static() > 0 || tangential.friction.rolling_arm() > 0 || tangential.rolling.mu > 0;
     }
   };
-  struct PlaneWall {
-    Vec3 point, inward;
-  };
   struct Pulse {  // all that a contact passes
     double normal = 0;
     FrictionImpulse friction;
@@ -171,6 +182,20 @@ class Cluster {
   void add_models(const Interactions& interactions);
   std::uint32_t model_of(std::uint32_t i, std::uint32_t j) const noexcept;
   ContactGeometry geometry(std::uint32_t i, std::uint32_t j) const noexcept;
+  const motion::Surface& wall_of(std::uint32_t j) const noexcept { return walls_[j - size()]; }
+  Vec3 branch(std::uint32_t i, std::uint32_t j) const noexcept;
+  double middle() const noexcept { return time() + 0.5 * options_.step; }
+  Vec3 wall_velocity(std::uint32_t i, std::uint32_t j) const noexcept;
+  Vec3 wall_turning(const ContactState& c, double time_on) const noexcept;
+  Vec3 swept(const ContactState& c, const ContactGeometry& g) const noexcept;
+  Vec3 turning(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
+  void set_wall_velocities(double when) noexcept;
+  void note_wall_work(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f,
+                      Vec3 before) noexcept;
+  bool walls_moved() noexcept;
+  bool crossed(const ContactState& c) const noexcept;
+  void add_sphere(const Sphere& s);
+  void renumber_walls(std::size_t spheres_before);
   Vec3 relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept;
   SlipMotion slip_motion(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
   SlipMotion slip_before(const ContactState& c, const ContactGeometry& g) const noexcept;
@@ -220,13 +245,16 @@ class Cluster {
   LongRangeForce long_range_;
   std::vector<double> radii_, masses_, inertias_;       // of spheres
   std::vector<double> inverse_mass_, inverse_inertia_;  // of bodies: spheres, then walls (0)
-  std::vector<PlaneWall> walls_;
+  std::vector<motion::Surface> walls_;
+  bool walls_travel_ = false, walls_swing_ = false, walls_drive_ = false;
+  double walls_listed_at_ = 0;  // time of the list
+  Periodic periodic_;
   std::vector<std::size_t> materials_;  // of bodies
   std::size_t material_count_ = 0;
   std::vector<std::uint32_t> model_table_;
   std::vector<Model> models_;
 
-  ClusterState state_;  // without memories; velocities and spins of walls follow those of the spheres, all zero
+  ClusterState state_;  // without memories; velocities and spins of walls follow those of the spheres
   NeighbourList neighbours_;
   std::vector<NearPair> candidates_;
   std::vector<Motion> motions_;              // of bodies

@@ -25,7 +25,7 @@ std::vector<NearPair> near_pairs(std::span<const Vec3> positions, std::span<cons
 /// rebuilt first), so its gap is still > 0.
 class NeighbourList {
  public:
-  NeighbourList(std::vector<double> radii, double skin);
+  NeighbourList(std::vector<double> radii, double skin, Vec3 period = {});
 
   /// Makes the list valid for `positions`; true if it was rebuilt.
   bool update(std::span<const Vec3> positions);
@@ -37,6 +37,7 @@ class NeighbourList {
 
   std::vector<double> radii_;
   double skin_;
+  Vec3 period_;  // of space, see Periodic
   std::vector<Vec3> built_at_;
   std::vector<NearPair> pairs_;
 };

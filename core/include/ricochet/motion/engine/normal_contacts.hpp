@@ -88,6 +88,7 @@ class NormalContactsOf final : public NormalContacts {
   void begin(ContactState& c) override {
     c.slot = memories_.take();
     c.force = law_.force(c.approach, Memory{});
+    c.stored = law_.stored_energy(c.approach, Memory{});
     c.impact_rate = c.approach.rate;
   }
   void forget(const ContactState& c) override { memories_.give_back(c.slot); }
