@@ -65,6 +65,8 @@ TEST_CASE("a state reads back to the last bit, every number in its own place") {
   CHECK(b.half_positions == a.half_positions);
   CHECK(b.velocities == a.velocities);
   CHECK(b.spins == a.spins);
+  CHECK(b.velocity_gains == a.velocity_gains);
+  CHECK(b.spin_gains == a.spin_gains);
   CHECK(b.lost_normal == a.lost_normal);
   CHECK(b.lost_friction == a.lost_friction);
   CHECK(b.long_range_work == a.long_range_work);
@@ -99,7 +101,7 @@ TEST_CASE("a state reads back to the last bit, every number in its own place") {
 TEST_CASE("the file says by name what it holds") {
   const Json state = Json::parse(write_checkpoint(scene(), saved()));
   const ClusterState& s = saved().state;
-  CHECK(state.at("schema") == "ricochet/state/4");
+  CHECK(state.at("schema") == "ricochet/state/5");
   CHECK(state.at("lost_normal") == s.lost_normal);
   CHECK(state.at("lost_friction") == s.lost_friction);
   CHECK(state.at("contacts").at(0).at("memory") == s.memories[0].values);
@@ -179,7 +181,7 @@ TEST_CASE("what is no state of this scene and version is told apart") {
   CHECK(with("/schema", "ricochet/scene/1") == complaint({}));
   CHECK(with("/schema", "ricochet/state/1") ==
         start +
-            "/schema = \"ricochet/state/1\": must be \"ricochet/state/4\", as this version of simulate saves; "
+            "/schema = \"ricochet/state/1\": must be \"ricochet/state/5\", as this version of simulate saves; "
             "start again without --resume");
   CHECK(with("/scene", "1") == start + "of another scene; must be of the one given");
   CHECK_THROWS_WITH(read_checkpoint("d/state.json", "{\"schema\": ", scene()), Catch::Contains("must be a state"));
