@@ -59,7 +59,11 @@ ClusterSetup setup_of(const Packing& packing, const std::string& kind) {
 
 ClusterOptions options_of(double tolerance, [[maybe_unused]] int threads) {
   // What 12 arms reach over 1000 steps.
-  return {.step = step, .longest_contact = 1000 * step, .kernel_tolerance = 2e-6, .solver_tolerance = tolerance};
+  return {.step = step,
+          .longest_contact = 1000 * step,
+          .kernel_tolerance = 2e-6,
+          .solver_tolerance = tolerance,
+          .records = false};
 }
 
 // Grains thrown together a little apart, in layers as many as a side has.
@@ -80,8 +84,10 @@ Packing thrown(int count) {
 void write(const std::string& file, const Packing& packing) {
   std::ofstream out(file);
   out.precision(17);
-  out << "a settled packing, for read_data of atom_style sphere\n\n" << packing.positions.size() << " atoms\n1 atom types\n";
-  out << "0 " << packing.side << " xlo xhi\n0 " << packing.side << " ylo yhi\n0 " << packing.height << " zlo zhi\n\nAtoms\n\n";
+  out << "a settled packing, for read_data of atom_style sphere\n\n"
+      << packing.positions.size() << " atoms\n1 atom types\n";
+  out << "0 " << packing.side << " xlo xhi\n0 " << packing.side << " ylo yhi\n0 " << packing.height
+      << " zlo zhi\n\nAtoms\n\n";
   for (std::size_t i = 0; i < packing.positions.size(); ++i) {
     const Vec3 x = packing.positions[i];
     out << i + 1 << " 1 " << 2 * radius << ' ' << density << ' ' << x.x << ' ' << x.y << ' ' << x.z << '\n';
@@ -97,7 +103,8 @@ Packing read(const std::string& file) {
   double low = 0;
   std::getline(in, line);
   in >> atoms >> word >> word >> word >> word;
-  in >> low >> packing.side >> word >> word >> low >> packing.side >> word >> word >> low >> packing.height >> word >> word;
+  in >> low >> packing.side >> word >> word >> low >> packing.side >> word >> word >> low >> packing.height >> word >>
+      word;
   in >> word;
   for (std::size_t i = 0; i < atoms; ++i) {
     double number = 0, type = 0, diameter = 0, rho = 0;
@@ -130,8 +137,8 @@ void deck(const std::string& file, int steps) {
       file.c_str(), radius / 3, young, poisson, restitution, mu, velocity, step);
   const double places[] = {0, packing.side, 0, packing.side, 0, packing.height};
   for (int n = 0; n < 6; ++n)
-    std::printf("fix w%d all wall/gran model hooke tangential history primitive type 1 %cplane %.17g\n", n, "xyz"[n / 2],
-                places[n]);
+    std::printf("fix w%d all wall/gran model hooke tangential history primitive type 1 %cplane %.17g\n", n,
+                "xyz"[n / 2], places[n]);
   std::printf("fix i all nve/sphere\nthermo %d\nrun %d\nrun %d\n", steps, steps, steps);
 }
 
@@ -175,7 +182,9 @@ int main(int argc, char** argv) {
       run(a[1], a[2], std::stoi(a[3]), std::stod(a[4]), std::stoi(a[5]));
       return 0;
     }
-    std::fputs("packing settle COUNT FILE SECONDS | packing deck FILE STEPS | packing run KIND FILE STEPS TOLERANCE THREADS\n", stderr);
+    std::fputs(
+        "packing settle COUNT FILE SECONDS | packing deck FILE STEPS | packing run KIND FILE STEPS TOLERANCE THREADS\n",
+        stderr);
     return 2;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "packing: %s\n", e.what());

@@ -1,66 +1,80 @@
 // Contacts that do not act on each other within a step but by what they passed in the last one: springs and dashpots
-// that a step resolves.
+// that a step resolves. A block of contacts goes through all of it while it is in the nearest cache.
 #include "contact_rows.hpp"
 
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace ricochet {
+namespace {
+
+constexpr std::size_t block_size = 64;
+
+}  // namespace
 
 // Each contact foresees what the others pass. With u the rates of all contacts, W their common mobility and D its
 // diagonal, that is one Jacobi step u' = −W P, (1 + γD) P = h R(u − ½(W − D) P_last) with γ = ½h c; a mode with
 // W = κD is stable as long as γD(κ − 1) < ½. The greatest eigenvalue of γW is at most that of the greatest sum, over
 // both bodies of a contact, of their contacts' γ/m, so a quarter a body suffices.
-bool Cluster::needs_no_sweeps() {
-  for (const Model& model : models_)
-    if (model.rubs() && !model.compliant && !model.members.empty()) return false;
+void Cluster::sum_drags() {
   drags_.assign(inverse_mass_.size(), 0);
-  for (std::size_t k = 0; k < geometries_.size(); ++k) {
-    const ContactState& c = state_.contacts[k];
+  for (const ContactState& c : state_.contacts) {
     const Model& model = models_[c.model];
-    const ContactGeometry& g = geometries_[k];
-    const double along = std::abs(normals_[k].slope);
+    const std::uint32_t i = c.record.i, j = c.record.j;
+    const double along = std::abs(model.normal->drag(c, inverse_mass_[i] + inverse_mass_[j]));
     const auto add = [&](std::uint32_t body, double arm) {
-      double& drag = drags_[body];
-      drag += inverse_mass_[body] * (along + model.damping) + inverse_inertia_[body] * (arm * arm * model.damping + model.turning_damping);
+      drags_[body] += inverse_mass_[body] * (along + model.damping) +
+                      inverse_inertia_[body] * (arm * arm * model.damping + model.turning_damping);
     };
-    add(c.record.i, g.arm_i), add(c.record.j, g.arm_j);
+    add(i, radii_[i]);
+    if (j < size()) add(j, radii_[j]);
   }
   constexpr double enough = 0.25;
   const double most = 2 * enough / options_.step;
-  return std::all_of(drags_.begin(), drags_.end(), [&](double drag) { return drag <= most; });
+  calm_ = std::all_of(drags_.begin(), drags_.end(), [&](double drag) { return drag <= most; });
+}
+
+bool Cluster::needs_no_sweeps() {
+  bool varies = false;
+  for (const Model& model : models_) {
+    if (model.members.empty()) continue;
+    if (model.rubs() && !model.compliant) return false;
+    varies = varies || model.normal->drag_varies();
+  }
+  if (varies) sum_drags();
+  return calm_;
 }
 
 // What the bodies will do in the middle of the step if contacts pass what they passed in the last one.
 void Cluster::foresee() noexcept {
-  for (std::size_t i = 0; i < size(); ++i) {
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
     Motion& m = motions_[i];
-    m.velocity_mid = 0.5 * (m.velocity + state_.velocities[i] + state_.velocity_gains[i]);
-    m.spin_mid = m.spin + 0.5 * state_.spin_gains[i];
+    m.velocity_mid = 0.5 * (m.velocity + state_.velocities[i]);
+    m.spin_mid = m.spin;
+    if (i >= radii_.size()) continue;
+    m.velocity_mid += 0.5 * state_.velocity_gains[i];
+    m.spin_mid += 0.5 * state_.spin_gains[i];
   }
-  for (std::size_t i = size(); i < motions_.size(); ++i)
-    motions_[i].velocity_mid = 0.5 * (motions_[i].velocity + state_.velocities[i]), motions_[i].spin_mid = motions_[i].spin;
 }
 
 void Cluster::pass_at_once() {
   foresee();
-  passed_.resize(geometries_.size());
-  for (std::size_t k = 0; k < geometries_.size(); ++k) pass(k);
-  // Sums of impulses and torques, in the order of the contacts; walls have entries of no consequence.
+  // Walls have entries of no consequence.
   state_.velocity_gains.assign(motions_.size(), {});
   state_.spin_gains.assign(motions_.size(), {});
-  for (std::size_t k = 0; k < geometries_.size(); ++k) {
-    const auto [i, j] = std::pair(state_.contacts[k].record.i, state_.contacts[k].record.j);
-    const Passed& p = passed_[k];
-    state_.velocity_gains[i] += p.linear;
-    state_.velocity_gains[j] -= p.linear;
-    state_.spin_gains[i] += geometries_[k].arm_i * p.lever + p.couple;
-    state_.spin_gains[j] += geometries_[k].arm_j * p.lever - p.couple;
+  std::array<Passed, block_size> passed;
+  const auto count = static_cast<std::uint32_t>(state_.contacts.size());
+  for (std::uint32_t first = 0; first < count; first += block_size) {
+    const std::uint32_t last = std::min<std::uint32_t>(count, first + block_size);
+    const std::span<Passed> these(passed.data(), last - first);
+    pass_block(first, last, these);
+    gather(these);
   }
   state_.velocity_gains.resize(size());
   state_.spin_gains.resize(size());
-  for (std::size_t i = 0; i < size(); ++i) {
+  for (std::size_t i = 0; i < radii_.size(); ++i) {
     state_.velocities[i] += state_.velocity_gains[i] *= inverse_mass_[i];
     state_.spins[i] += state_.spin_gains[i] *= inverse_inertia_[i];
   }
@@ -68,56 +82,118 @@ void Cluster::pass_at_once() {
   converged_ = true;
 }
 
+void Cluster::pass_block(std::uint32_t first, std::uint32_t last, std::span<Passed> passed) {
+  std::array<ContactGeometry, block_size> geometries;
+  std::array<motion::NormalRow, block_size> rows;
+  for (std::uint32_t k = first; k < last; ++k) {
+    const ContactState& c = state_.contacts[k];
+    geometries[k - first] = geometry(c.record.i, c.record.j);
+    rows[k - first] = normal_row(c, geometries[k - first]);
+  }
+  const auto each_batch = [&](const auto& act) {
+    for (const Model& model : models_) {
+      const auto from = std::lower_bound(model.members.begin(), model.members.end(), first);
+      const auto to = std::lower_bound(from, model.members.end(), last);
+      if (from != to) act(*model.normal, motion::NormalBatch{{from, to}, state_.contacts, rows, first});
+    }
+  };
+  each_batch([](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.prepare(batch); });
+  for (std::uint32_t k = first; k < last; ++k)
+    pass(state_.contacts[k], geometries[k - first], rows[k - first], passed[k - first]);
+  const double now = middle();
+  each_batch([now](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.conclude(batch, now); });
+  for (std::uint32_t k = first; k < last; ++k) {
+    passed[k - first].lost_normal = rows[k - first].loss;
+    note_end_of_contact(state_.contacts[k], geometries[k - first], rows[k - first]);
+  }
+}
+
+// Sums of impulses and torques and what is booked, in the order of the contacts.
+void Cluster::gather(std::span<const Passed> passed) noexcept {
+  for (const Passed& p : passed) {
+    state_.velocity_gains[p.i] += p.linear;
+    state_.velocity_gains[p.j] -= p.linear;
+    state_.spin_gains[p.i] += p.on_i;
+    state_.spin_gains[p.j] += p.on_j;
+    state_.lost_normal += p.lost_normal;
+    state_.lost_friction += p.lost_friction;
+    state_.wall_work += p.wall_work;
+  }
+}
+
 template <bool Turns>
-void Cluster::pass_springs(std::size_t contact, Vec3 v) noexcept {
-  ContactState& c = state_.contacts[contact];
-  const ContactGeometry& g = geometries_[contact];
+Cluster::Course Cluster::pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 v,
+                                      Passed& passed) noexcept {
   const TangentialContact& law = models_[c.model].tangential;
+  const Motion &one = motions_[c.record.i], &other = motions_[c.record.j];
   const SlipMobility m = slip_mobility(c, g);
   FrictionImpulse last = c.friction;
   last.sliding = tangential(last.sliding, g.normal);
   if (Turns) last.rolling = tangential(last.rolling, g.normal);
   // The motion in the middle, without this contact's own last impulse, stands for those at both ends.
-  SlipMotion free = motion::slip_of(g, v, motions_[c.record.i].spin_mid, motions_[c.record.j].spin_mid);
+  SlipMotion free = motion::slip_of(g, v, one.spin_mid, other.spin_mid);
   free.slip -= 0.5 * m.slip * last.sliding;
   if (Turns) {
     free.slip -= 0.5 * m.cross * last.rolling;
     free.roll -= 0.5 * (m.cross * last.sliding + m.roll * last.rolling);
     free.spin -= 0.5 * m.roll * last.torsion;
   }
-  const FrictionProblem problem{std::max(0.0, normals_[contact].impulse), g.radius, m, free, free, {}};
-  motion::CompliantRow row = compliant_row<Turns>(contact);
+  const FrictionProblem problem{std::max(0.0, along.impulse), g.radius, m, free, free, {}};
+  motion::CompliantRow row = compliant_row<Turns>(c, g, along.since_touch);
   const FrictionSolution found = motion::compliant_impulse<Turns>(law, c, row, problem, last);
   const FrictionImpulse& f = found.impulse;
-  const Vec3 change = 0.5 * (m.slip * f.sliding + m.cross * f.rolling);
-  const SlipMotion mean{free.slip + change, free.spin + 0.5 * m.roll * f.torsion,
-                        free.roll + 0.5 * (m.cross * f.sliding + m.roll * f.rolling)};
+  SlipMotion mean = free;
+  mean.slip += 0.5 * (m.slip * f.sliding + m.cross * f.rolling);
+  mean.spin += 0.5 * m.roll * f.torsion;
+  mean.roll += 0.5 * (m.cross * f.sliding + m.roll * f.rolling);
   const motion::CompliantEnd end = motion::compliant_end<Turns>(law, row, c, mean, c.force);
-  Passed& passed = passed_[contact];
+  const motion::CompliantLoss loss = motion::compliant_loss(row, c.strained - end.stored);
+  passed.lost_friction = motion::lost(loss, law, f, mean);
+  const Vec3 lever = cross(g.normal, f.sliding);
   passed.linear += f.sliding;
-  passed.lever = cross(g.normal, f.sliding);
-  passed.couple = f.torsion * g.normal + cross(g.normal, f.rolling);
-  passed.loss = motion::compliant_loss(row, c.strained - end.stored);
-  passed.sticks = found.sticks;
+  passed.on_i = g.arm_i * lever, passed.on_j = g.arm_j * lever;
+  if (Turns) {
+    const Vec3 couple = f.torsion * g.normal + cross(g.normal, f.rolling);
+    passed.on_i += couple, passed.on_j -= couple;
+  }
   c.friction = f;
   c.elongation = end.elongation, c.strained = end.stored;
+  return {along.rate_mid, {}, mean, found.sticks, 0};
 }
 
-void Cluster::pass(std::size_t contact) noexcept {
-  const ContactState& c = state_.contacts[contact];
-  const ContactGeometry& g = geometries_[contact];
-  motion::NormalRow& along = normals_[contact];
-  const Motion &i = motions_[c.record.i], &j = motions_[c.record.j];
-  const Vec3 v = i.velocity_mid - j.velocity_mid - swept(c, g);
-  const double rate_free = 2 * dot(v, g.normal) - along.rate + along.mobility * c.normal_impulse;
+void Cluster::pass(ContactState& c, const ContactGeometry& g, motion::NormalRow& along, Passed& passed) noexcept {
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  const Vec3 v = motions_[i].velocity_mid - motions_[j].velocity_mid - swept(c, g);
+  const double rate = dot(v, g.normal);
+  const double rate_free = 2 * rate - along.rate + along.mobility * c.normal_impulse;
   along.impulse = normal_impulse(c, along, rate_free);
-  Passed& passed = passed_[contact];
-  passed = {.linear = -along.impulse * g.normal, .lever = {}, .couple = {}, .loss = {}, .sticks = false};
+  along.rate_mid = rate - 0.5 * along.mobility * (along.impulse - c.normal_impulse);
+  passed = {.i = i,
+            .j = j,
+            .linear = -along.impulse * g.normal,
+            .on_i = {},
+            .on_j = {},
+            .lost_normal = 0,
+            .lost_friction = 0,
+            .wall_work = 0};
   const Model& model = models_[c.model];
+  Course course{along.rate_mid, {}, {}, false, 0};
   if (model.turns)
-    pass_springs<true>(contact, v);
+    course = pass_springs<true>(c, g, along, v, passed);
   else if (model.compliant)
-    pass_springs<false>(contact, v);
+    course = pass_springs<false>(c, g, along, v, passed);
+  else
+    course.after = motion::slip_of(g, v, motions_[i].spin_mid, motions_[j].spin_mid);
+  if (options_.records) {
+    const auto after = [](const auto& mean, const auto& before) { return 2.0 * mean - before; };
+    course.before = slip_before(c, g);
+    course.after = {after(course.after.slip, course.before.slip), after(course.after.spin, course.before.spin),
+                    after(course.after.roll, course.before.roll)};
+    note_phases(c, g, course);
+  }
+  if (walls_drive_)
+    passed.wall_work =
+        wall_work(c, g, along.impulse, model.rubs() ? c.friction : FrictionImpulse{}, motions_[j].velocity);
 }
 
 }  // namespace ricochet

@@ -27,13 +27,13 @@ Vec3 Cluster::wall_turning(const ContactState& c, double time_on) const noexcept
 }
 
 // The sphere gains P·V and couple·Ω, over what the relative motion books: V that of the surface, halfway.
-void Cluster::note_wall_work(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f,
-                             Vec3 before) noexcept {
+double Cluster::wall_work(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f,
+                          Vec3 before) const noexcept {
   const std::uint32_t i = c.record.i, j = c.record.j;
-  if (j < size() || !wall_of(j).drives()) return;
+  if (j < size() || !wall_of(j).drives()) return 0;
   const Vec3 couple = f.torsion * g.normal + cross(g.normal, f.rolling);
   const Vec3 mean = wall_velocity(i, j) + 0.5 * (before - state_.velocities[j]);
-  state_.wall_work += dot(f.sliding - normal * g.normal, mean) + dot(couple, state_.spins[j]);
+  return dot(f.sliding - normal * g.normal, mean) + dot(couple, state_.spins[j]);
 }
 
 // Whether a wall has come nearer than the list of candidates allows for: half a skin, as for a sphere.
@@ -118,8 +118,8 @@ void Cluster::remove(std::span<const std::uint32_t> leaving) {
     return ends;
   });
   for (auto* const of_bodies : {&inverse_mass_, &inverse_inertia_, &radii_, &masses_, &inertias_}) close_up(*of_bodies);
-  for (auto* const of_bodies : {&state_.half_positions, &state_.velocities, &state_.spins, &state_.velocity_gains,
-                                &state_.spin_gains})
+  for (auto* const of_bodies :
+       {&state_.half_positions, &state_.velocities, &state_.spins, &state_.velocity_gains, &state_.spin_gains})
     close_up(*of_bodies);
   close_up(materials_);
   group_contacts();

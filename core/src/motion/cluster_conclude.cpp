@@ -9,24 +9,35 @@ namespace ricochet {
 
 void Cluster::conclude() {
   for (std::size_t k = 0; k < geometries_.size(); ++k) {
-    const ContactState& c = state_.contacts[k];
+    ContactState& c = state_.contacts[k];
     const Motion &i = motions_[c.record.i], &j = motions_[c.record.j];
     const ContactGeometry& g = geometries_[k];
     normals_[k].rate_mid = dot(i.velocity_mid - j.velocity_mid - swept(c, g), g.normal);
     if (models_[c.model].rubs()) state_.lost_friction += friction_loss(k);
-    note_phases(k);
-    if (walls_drive_ && c.record.j >= size())
-      note_wall_work(c, g, normals_[k].impulse, models_[c.model].rubs() ? c.friction : FrictionImpulse{},
-                     motions_[c.record.j].velocity);
+    if (options_.records)
+      note_phases(c, g,
+                  {.rate_mid = normals_[k].rate_mid,
+                   .before = slip_before(c, g),
+                   .after = slip_motion(c, g, relative_velocity(c.record.i, c.record.j)),
+                   .sticks = rows_[k].friction.sticks,
+                   .slip_fraction = rows_[k].friction.slip_fraction});
+    if (walls_drive_)
+      state_.wall_work += wall_work(c, g, normals_[k].impulse, models_[c.model].rubs() ? c.friction : FrictionImpulse{},
+                                    motions_[c.record.j].velocity);
   }
   for (const Model& model : models_) model.normal->conclude(batch(model), time() + 0.5 * options_.step);
   for (std::size_t k = 0; k < geometries_.size(); ++k) {
     ContactState& c = state_.contacts[k];
     state_.lost_normal += normals_[k].loss;
-    if (c.record.how == EncounterEnd::permanent_contact) note_breakage(c, normals_[k].mobility);
-    if (c.record.end != Encounter::never && c.record.how == EncounterEnd::open)
-      c.record.how = how_it_ended(c, geometries_[k], normals_[k].rate_mid);
+    note_end_of_contact(c, geometries_[k], normals_[k]);
   }
+}
+
+void Cluster::note_end_of_contact(ContactState& c, const ContactGeometry& g,
+                                  const motion::NormalRow& row) const noexcept {
+  if (c.record.how == EncounterEnd::permanent_contact) note_breakage(c, row.mobility);
+  if (c.record.end != Encounter::never && c.record.how == EncounterEnd::open)
+    c.record.how = how_it_ended(c, g, row.rate_mid);
 }
 
 EncounterEnd Cluster::how_it_ended(const ContactState& c, const ContactGeometry& g, double rate_mid) const noexcept {
@@ -46,7 +57,6 @@ double Cluster::friction_loss(std::size_t contact) {
   ContactState& c = state_.contacts[contact];
   const SlipMotion mean = mean_slip(c, geometries_[contact]);
   const Model& model = models_[c.model];
-  if (at_once_) return motion::lost(passed_[contact].loss, model.tangential, c.friction, mean);
   if (model.compliant) return conclude_springs(contact, mean);
   const FrictionImpulse& f = rows_[contact].friction.impulse;
   c.friction = f;
@@ -64,13 +74,8 @@ double Cluster::conclude_springs(std::size_t contact, const SlipMotion& mean) {
   return motion::lost(loss, law, c.friction, mean);
 }
 
-void Cluster::note_phases(std::size_t contact) {
-  ContactState& c = state_.contacts[contact];
-  const ContactGeometry& g = geometries_[contact];
-  const double rate_mid = normals_[contact].rate_mid;
-  const SlipMotion before = slip_before(c, g), after = slip_motion(c, g, relative_velocity(c.record.i, c.record.j));
-  const bool sticks = at_once_ ? passed_[contact].sticks : rows_[contact].friction.sticks;
-  const double slid_for = at_once_ ? 0.0 : rows_[contact].friction.slip_fraction;
+void Cluster::note_phases(ContactState& c, const ContactGeometry& g, const Course& course) const noexcept {
+  const auto& [rate_mid, before, after, sticks, slid_for] = course;
   const double h = options_.step, start = std::max(time(), c.record.begin), still = 1e-9 * c.speed_scale;
   const auto enter = [&](Phase phase, double when) {
     double& begin = c.record.phase_begin[static_cast<std::size_t>(phase)];

@@ -7,19 +7,18 @@ namespace ricochet {
 
 void Cluster::step() {
   find_touching();
-  geometries_.resize(state_.contacts.size());
-  drop_separated();
   note_start();
-  prepare_normals();
-  at_once_ = needs_no_sweeps();
-  if (!at_once_) prepare_rows();
-  kick_by_fields();
-  if (at_once_)
+  if (needs_no_sweeps()) {
+    kick_by_fields();
     pass_at_once();
-  else
+  } else {
+    prepare_normals();
+    prepare_rows();
+    kick_by_fields();
     solve();
-  note_end();
-  conclude();
+    note_end();
+    conclude();
+  }
   for (std::size_t i = 0; i < size(); ++i) state_.half_positions[i] += options_.step * state_.velocities[i];
   ++state_.steps;
 }
@@ -54,21 +53,12 @@ void Cluster::kick_by_fields() {
 motion::NormalBatch Cluster::batch(const Model& model) noexcept { return {model.members, state_.contacts, normals_}; }
 
 void Cluster::prepare_normals() {
+  geometries_.resize(state_.contacts.size());
   normals_.resize(geometries_.size());
   for (std::size_t k = 0; k < geometries_.size(); ++k) {
     const ContactState& c = state_.contacts[k];
-    const ContactGeometry& g = geometries_[k];
-    const std::uint32_t i = c.record.i, j = c.record.j;
-    // After (26) the force goes on: it never was zero.
-    const bool let_go = c.record.end != Encounter::never && c.record.how < EncounterEnd::permanent_contact;
-    const bool silent = options_.reclosing == Reclosing::silent && let_go;
-    motion::NormalRow& normal = normals_[k];
-    normal = {};
-    normal.overlap = g.overlap;
-    normal.rate = dot(relative_velocity(i, j), g.normal);
-    normal.mobility = inverse_mass_[i] + inverse_mass_[j];
-    normal.duration = silent ? 0 : options_.step;
-    normal.since_touch = c.fresh ? c.lag + 0.5 * options_.step : 0;
+    geometries_[k] = geometry(c.record.i, c.record.j);
+    normals_[k] = normal_row(c, geometries_[k]);
   }
   for (const Model& model : models_) model.normal->prepare(batch(model));
 }

@@ -15,7 +15,7 @@ void Cluster::prepare_rows() {
     rows_[k].before = slip_motion(c, geometries_[k], relative_velocity(c.record.i, c.record.j));
     rows_[k].friction = {};
     if (models_[c.model].rubs()) prepare_friction(k);
-    if (models_[c.model].compliant) springs_[k] = compliant_row<true>(k);
+    if (models_[c.model].compliant) springs_[k] = compliant_row<true>(c, geometries_[k], normals_[k].since_touch);
   }
 }
 
@@ -81,8 +81,9 @@ double Cluster::relax(std::size_t contact) noexcept {
   free.roll -= m.cross * last.sliding + m.roll * last.rolling;
   free.spin -= m.roll * last.torsion;
   const FrictionProblem problem{std::max(0.0, normal), g.radius, m, row.before, free, row.turning};
-  row.friction = model.compliant ? motion::compliant_impulse<true>(model.tangential, c, springs_[contact], problem, last)
-                                 : friction_impulse(rigid_friction(c, g), problem, last);
+  row.friction = model.compliant
+                     ? motion::compliant_impulse<true>(model.tangential, c, springs_[contact], problem, last)
+                     : friction_impulse(rigid_friction(c, g), problem, last);
   const FrictionImpulse delta = row.friction.impulse - last;
   apply(c, g, change, delta);
   const double arm = g.arm_i + g.arm_j;

@@ -14,7 +14,8 @@ RICOCHET_INNERMOST SlipMotion slip_of(const ContactGeometry& g, Vec3 v, Vec3 wi,
 
 /// What u_t gains over half a step while the normal turns and the branches shorten, velocities staying as they are.
 /// Sticking then holds at the step's end, not half a step late.
-RICOCHET_INNERMOST Vec3 turning(const ContactGeometry& g, Vec3 v, Vec3 wi, Vec3 wj, bool wall, double half_step) noexcept {
+RICOCHET_INNERMOST Vec3 turning(const ContactGeometry& g, Vec3 v, Vec3 wi, Vec3 wj, bool wall,
+                                double half_step) noexcept {
   const double rate = dot(v, g.normal), d = g.arm_i + g.arm_j;
   if (wall) return half_step * -0.5 * rate * cross(wi, g.normal);
   if (!(d > 0)) return {};

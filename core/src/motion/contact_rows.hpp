@@ -57,9 +57,8 @@ RICOCHET_INNERMOST Vec3 Cluster::turning(const ContactState& c, const ContactGeo
 
 // From the memory to the middle all fly straight: means are those halfway.
 template <bool Turns>
-RICOCHET_INNERMOST motion::CompliantRow Cluster::compliant_row(std::size_t contact) const noexcept {
-  const ContactState& c = state_.contacts[contact];
-  const ContactGeometry& g = geometries_[contact];
+RICOCHET_INNERMOST motion::CompliantRow Cluster::compliant_row(const ContactState& c, const ContactGeometry& g,
+                                                               double since_touch) const noexcept {
   const std::uint32_t i = c.record.i, j = c.record.j;
   const Motion &one = motions_[i], &other = motions_[j];
   const Vec3 v = one.velocity - other.velocity - swept(c, g);
@@ -69,7 +68,7 @@ RICOCHET_INNERMOST motion::CompliantRow Cluster::compliant_row(std::size_t conta
                                      .motion = motion::slip_of(g, v, one.spin, other.spin),
                                      .pressing = {0, g.overlap, g.radius, radius_eff(c)},
                                      .step = options_.step,
-                                     .since_touch = normals_[contact].since_touch};
+                                     .since_touch = since_touch};
   approach.motion.slip -= c.lag / options_.step * turning(c, g, v);
   const bool curved = j >= size() && !wall_of(j).flat();
   if (j < size()) {
@@ -89,7 +88,8 @@ RICOCHET_INNERMOST motion::CompliantRow Cluster::compliant_row(std::size_t conta
   return motion::compliant_row<Turns>(law, c, approach);
 }
 
-RICOCHET_INNERMOST double Cluster::normal_impulse(const ContactState& c, const motion::NormalRow& row, double rate_free) const noexcept {
+RICOCHET_INNERMOST double Cluster::normal_impulse(const ContactState& c, const motion::NormalRow& row,
+                                                  double rate_free) const noexcept {
   if (row.duration == 0) return row.fixed_impulse;
   // R in the middle of the step, implicit in the mean rate: affine in it for every law here.
   const double h = row.duration;
@@ -105,7 +105,8 @@ RICOCHET_INNERMOST double Cluster::normal_impulse(const ContactState& c, const m
   return 0.5 * peak * peak / std::abs(slope);
 }
 
-RICOCHET_INNERMOST SlipMotion Cluster::slip_motion(const ContactState& c, const ContactGeometry& g, Vec3 v) const noexcept {
+RICOCHET_INNERMOST SlipMotion Cluster::slip_motion(const ContactState& c, const ContactGeometry& g,
+                                                   Vec3 v) const noexcept {
   return motion::slip_of(g, v, state_.spins[c.record.i], state_.spins[c.record.j]);
 }
 
@@ -117,6 +118,21 @@ RICOCHET_INNERMOST SlipMotion Cluster::slip_before(const ContactState& c, const 
 RICOCHET_INNERMOST SlipMotion Cluster::mean_slip(const ContactState& c, const ContactGeometry& g) const noexcept {
   const Motion &i = motions_[c.record.i], &j = motions_[c.record.j];
   return motion::slip_of(g, i.velocity_mid - j.velocity_mid - swept(c, g), i.spin_mid, j.spin_mid);
+}
+
+RICOCHET_INNERMOST motion::NormalRow Cluster::normal_row(const ContactState& c,
+                                                         const ContactGeometry& g) const noexcept {
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  // After (26) the force goes on: it never was zero.
+  const bool let_go = c.record.end != Encounter::never && c.record.how < EncounterEnd::permanent_contact;
+  const bool silent = options_.reclosing == Reclosing::silent && let_go;
+  motion::NormalRow row;
+  row.overlap = g.overlap;
+  row.rate = dot(motions_[i].velocity - motions_[j].velocity - swept(c, g), g.normal);
+  row.mobility = inverse_mass_[i] + inverse_mass_[j];
+  row.duration = silent ? 0 : options_.step;
+  row.since_touch = c.fresh ? c.lag + 0.5 * options_.step : 0;
+  return row;
 }
 
 }  // namespace ricochet

@@ -31,6 +31,8 @@ struct ClusterOptions {
   Reclosing reclosing = Reclosing::repels;
   double solver_tolerance = 1e-10;  ///< on impulses, relative to the greatest of the step; 1e-6 serves in packings
   int max_sweeps = 100;             ///< over all contacts, a step
+  /// Whether contacts note the phases they go through (Encounter::phase_begin) and collisions are kept for take_finished.
+  bool records = true;
 };
 
 /// The energies of a cluster [J]. `total` is constant up to the scheme's error; `lost_*` are what dashpots, clamped
@@ -168,13 +170,20 @@ class Cluster {
   };
   // What a contact passes in a step that needs no sweeps, and what is to be booked of it.
   struct Passed {
-    Vec3 linear, lever, couple;  // on i: impulse, e × friction's, that of torsion and rolling
-    motion::CompliantLoss loss;
-    bool sticks = false;
+    std::uint32_t i, j;
+    Vec3 linear, on_i, on_j;  // impulse on i and torques
+    double lost_normal, lost_friction, wall_work;
+  };
+  // How a contact moved over a step, for its record.
+  struct Course {
+    double rate_mid;
+    SlipMotion before, after;
+    bool sticks;
+    double slip_fraction;
   };
   // A body over a step.
   struct Motion {
-    Vec3 velocity, spin;    // at its start
+    Vec3 velocity, spin;          // at its start
     Vec3 velocity_mid, spin_mid;  // in its middle, foreseen; at last the mean of start and end
   };
 
@@ -190,8 +199,8 @@ class Cluster {
   Vec3 swept(const ContactState& c, const ContactGeometry& g) const noexcept;
   Vec3 turning(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
   void set_wall_velocities(double when) noexcept;
-  void note_wall_work(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f,
-                      Vec3 before) noexcept;
+  double wall_work(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f,
+                   Vec3 before) const noexcept;
   bool walls_moved() noexcept;
   bool crossed(const ContactState& c) const noexcept;
   void add_sphere(const Sphere& s);
@@ -207,6 +216,7 @@ class Cluster {
   void list_candidates();
   void find_touching();
   void drop_separated();
+  void mark_closed();
   bool touches(std::uint32_t i, std::uint32_t j) const noexcept;
   ContactState begin_contact(std::uint32_t i, std::uint32_t j);
   void group_contacts();
@@ -218,13 +228,19 @@ class Cluster {
   Friction rigid_friction(const ContactState& contact, const ContactGeometry& g) const;
   double radius_eff(const ContactState& contact) const noexcept;
   template <bool Turns>
-  motion::CompliantRow compliant_row(std::size_t contact) const noexcept;
+  motion::CompliantRow compliant_row(const ContactState& c, const ContactGeometry& g,
+                                     double since_touch) const noexcept;
+  motion::NormalRow normal_row(const ContactState& c, const ContactGeometry& g) const noexcept;
+  void sum_drags();
   bool needs_no_sweeps();
   void foresee() noexcept;
   void pass_at_once();
-  void pass(std::size_t contact) noexcept;
+  void pass_block(std::uint32_t first, std::uint32_t last, std::span<Passed> passed);
+  void gather(std::span<const Passed> passed) noexcept;
+  void pass(ContactState& c, const ContactGeometry& g, motion::NormalRow& along, Passed& passed) noexcept;
   template <bool Turns>
-  void pass_springs(std::size_t contact, Vec3 velocity) noexcept;
+  Course pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
+                      Passed& passed) noexcept;
   motion::NormalBatch batch(const Model& model) noexcept;
   void push(const ContactState& c, const ContactGeometry& g, double normal) noexcept;
   void apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept;
@@ -235,7 +251,8 @@ class Cluster {
   void conclude();
   double friction_loss(std::size_t contact);
   double conclude_springs(std::size_t contact, const SlipMotion& mean);
-  void note_phases(std::size_t contact);
+  void note_phases(ContactState& contact, const ContactGeometry& g, const Course& course) const noexcept;
+  void note_end_of_contact(ContactState& c, const ContactGeometry& g, const motion::NormalRow& row) const noexcept;
   EncounterEnd how_it_ended(const ContactState& contact, const ContactGeometry& g, double rate_mid) const noexcept;
   void note_breakage(ContactState& contact, double mobility) const noexcept;
   void check_contacts(const ClusterState& state) const;
@@ -257,13 +274,14 @@ class Cluster {
   ClusterState state_;  // without memories; velocities and spins of walls follow those of the spheres
   NeighbourList neighbours_;
   std::vector<NearPair> candidates_;
-  std::vector<Motion> motions_;              // of bodies
-  std::vector<ContactGeometry> geometries_;  // of contacts, in the middle of the step
-  std::vector<motion::NormalRow> normals_;   // of the same contacts
-  bool at_once_ = false;                     // the step needs no sweeps
-  std::vector<Passed> passed_;               // of the same contacts, then
-  std::vector<double> drags_;                // of spheres
-  std::vector<Row> rows_;                    // of the same contacts, else
+  std::vector<char> closed_;                   // whether they are in contact
+  std::vector<std::uint32_t> separated_;       // contacts that are to end
+  std::vector<Motion> motions_;                // of bodies
+  std::vector<ContactGeometry> geometries_;    // of contacts, in the middle of the step
+  std::vector<motion::NormalRow> normals_;     // of the same contacts
+  std::vector<double> drags_;                  // of bodies
+  bool calm_ = false;                          // no body has too many
+  std::vector<Row> rows_;                      // of the same contacts, else
   std::vector<motion::CompliantRow> springs_;  // of the same contacts; none where no interaction has any
   bool has_springs_ = false;
   std::vector<Vec3> field_forces_;

@@ -39,11 +39,11 @@ struct CompliantApproach {
 /// What is known of the contact before the step's impulses are sought, and the answer found last.
 struct CompliantRow {
   CompliantApproach approach;
-  Elongation before;     ///< at the time of the memory, turned to the present normal
-  Elongation held;       ///< in the middle of the step, should the contact stick
+  Elongation before;               ///< at the time of the memory, turned to the present normal
+  Elongation held;                 ///< in the middle of the step, should the contact stick
   Spring spring_then, spring_now;  ///< against sliding, at the time of the memory and in the middle
-  double span = 0;       ///< from the memory to the middle; of a fresh contact from the touch to the step's end [s]
-  double duration = 0;   ///< over which the impulse acts [s]
+  double span = 0;      ///< from the memory to the middle; of a fresh contact from the touch to the step's end [s]
+  double duration = 0;  ///< over which the impulse acts [s]
   bool fresh = false;
   LimitedTraction answer;
 };
@@ -89,7 +89,7 @@ inline Vec3 relaxed(Spring s, Vec3 elongation, Vec3 first, Vec3 last, double spa
 /// The impulse that spring and dashpot pass while nothing gives way; `free` is the motion at the step's end without it.
 /// Of a fresh contact ∫kξ dt = ½k t² u.
 RICOCHET_INNERMOST Vec3 held_impulse(Spring s, Vec3 elongation, Vec3 before, Vec3 free, double mobility,
-                         const CompliantRow& row) noexcept {
+                                     const CompliantRow& row) noexcept {
   const double t = row.duration, drag = t * (s.damping + (row.fresh ? 0.5 * t * s.stiffness : 0));
   return -1.0 / (1 + 0.5 * drag * mobility) * (t * s.stiffness * elongation + 0.5 * drag * (before + free));
 }
@@ -141,8 +141,9 @@ RICOCHET_INNERMOST bool yields(const CompliantRow& row) noexcept {
 }
 
 template <bool Turns>
-RICOCHET_INNERMOST Elongation elongation_after(const TangentialContact& law, const ContactState& c, const CompliantRow& row,
-                                   const TangentialState& s, const SlipMotion& mean, double force) noexcept {
+RICOCHET_INNERMOST Elongation elongation_after(const TangentialContact& law, const ContactState& c,
+                                               const CompliantRow& row, const TangentialState& s,
+                                               const SlipMotion& mean, double force) noexcept {
   const double t = row.duration;
   Elongation e = row.held;
   if (row.fresh) e.slide = t * mean.slip;
@@ -161,7 +162,7 @@ RICOCHET_INNERMOST Elongation elongation_after(const TangentialContact& law, con
 
 template <bool Turns>
 RICOCHET_INNERMOST CompliantRow compliant_row(const TangentialContact& law, const ContactState& c,
-                                  const CompliantApproach& a) noexcept {
+                                              const CompliantApproach& a) noexcept {
   CompliantRow row;
   row.approach = a;
   row.spring_now = spring(law.law, a.pressing.overlap);
@@ -188,8 +189,9 @@ RICOCHET_INNERMOST CompliantRow compliant_row(const TangentialContact& law, cons
 
 /// As friction_impulse, of springs. `sticks`: neither sliding nor torsion are at their limit.
 template <bool Turns>
-RICOCHET_INNERMOST FrictionSolution compliant_impulse(const TangentialContact& law, const ContactState& c, CompliantRow& row,
-                                          const FrictionProblem& p, const FrictionImpulse& guess) noexcept {
+RICOCHET_INNERMOST FrictionSolution compliant_impulse(const TangentialContact& law, const ContactState& c,
+                                                      CompliantRow& row, const FrictionProblem& p,
+                                                      const FrictionImpulse& guess) noexcept {
   const double t = row.duration, per_time = 1 / t;
   const SlipMobility& m = p.mobility;
   const SlipMotion& motion = row.approach.motion;
@@ -199,13 +201,11 @@ RICOCHET_INNERMOST FrictionSolution compliant_impulse(const TangentialContact& l
   row.approach.pressing.force = p.normal_impulse * per_time;
   const TangentialState s = tangential_state(law, row.approach.pressing, speed, row.spring_now);
   Traction wanted;
-  wanted.sliding =
-      per_time * compliant::held_impulse(s.sliding, row.held.slide, p.before.slip, slip, m.slip, row);
+  wanted.sliding = per_time * compliant::held_impulse(s.sliding, row.held.slide, p.before.slip, slip, m.slip, row);
   const bool slides = !row.fresh && compliant::over(wanted.sliding, s.sliding_limit);
   if (slides)
-    wanted.sliding =
-        compliant::led(wanted.sliding, s.sliding_limit, compliant::last_tractions(law, c, row).sliding,
-                       compliant::halfway(row.spring_then, row.before.slide, motion.slip, row.span));
+    wanted.sliding = compliant::led(wanted.sliding, s.sliding_limit, compliant::last_tractions(law, c, row).sliding,
+                                    compliant::halfway(row.spring_then, row.before.slide, motion.slip, row.span));
   if (Turns && s.torsion.stiffness > 0)
     wanted.torsion = per_time * compliant::held_impulse(s.torsion, compliant::scalar(row.held.twist),
                                                         compliant::scalar(p.before.spin),
@@ -234,8 +234,9 @@ RICOCHET_INNERMOST FrictionSolution compliant_impulse(const TangentialContact& l
 /// `mean` is the motion halfway between before and after the impulse, `force` the R at the end of a fresh contact's
 /// step [N]. To be asked before the contact's own impulse of the last step is forgotten.
 template <bool Turns>
-RICOCHET_INNERMOST CompliantEnd compliant_end(const TangentialContact& law, const CompliantRow& row, const ContactState& contact,
-                                  const SlipMotion& mean, double force) noexcept {
+RICOCHET_INNERMOST CompliantEnd compliant_end(const TangentialContact& law, const CompliantRow& row,
+                                              const ContactState& contact, const SlipMotion& mean,
+                                              double force) noexcept {
   const TangentialState s = tangential_state(law, row.approach.pressing, 0, row.spring_now);
   CompliantEnd end{.elongation = compliant::elongation_after<Turns>(law, contact, row, s, mean, force)};
   end.stored = stored_energy(s, end.elongation).sum();

@@ -28,11 +28,14 @@ struct NormalRow {
   double loss = 0;           ///< what dashpots and the clamp have taken [J]
 };
 
-/// Some of a cluster's contacts and their rows, by index.
+/// Some of a cluster's contacts, by index, and their rows, which begin with that of contact `first`.
 struct NormalBatch {
   std::span<const std::uint32_t> members;
   std::span<ContactState> contacts;
   std::span<NormalRow> rows;
+  std::size_t first = 0;
+
+  NormalRow& row(std::uint32_t contact) const noexcept { return rows[contact - first]; }
 };
 
 /// All contacts of one interaction: they share the law, and their memories lie side by side. The cluster asks for whole
@@ -58,6 +61,10 @@ class NormalContacts {
   /// Brings memories to the middle of the step, `middle` [s], given the rows' `impulse` and `rate_mid`; fills in `loss`
   /// and notes where a force has ended.
   virtual void conclude(const NormalBatch& batch, double middle) = 0;
+  /// How fast the force grows with the rate over a step that begins with the contact as it is [N s/m].
+  virtual double drag(const ContactState& contact, double mobility) const = 0;
+  /// Whether that depends on the contact.
+  virtual bool drag_varies() const noexcept = 0;
   /// The signed force `span` [s] after the contact's approach, at another [N].
   virtual double force_at(const ContactState& contact, Approach then, double span) const = 0;
 
@@ -96,7 +103,7 @@ class NormalContactsOf final : public NormalContacts {
   void prepare(const NormalBatch& batch) override {
     for (const std::uint32_t k : batch.members) {
       ContactState& c = batch.contacts[k];
-      NormalRow& row = batch.rows[k];
+      NormalRow& row = batch.row(k);
       if (c.fresh) {
         touch(c, row);
         row.impulse = row.fixed_impulse;
@@ -112,17 +119,23 @@ class NormalContactsOf final : public NormalContacts {
   void conclude(const NormalBatch& batch, double middle) override {
     for (const std::uint32_t k : batch.members) {
       ContactState& c = batch.contacts[k];
-      c.normal_impulse = batch.rows[k].impulse;
+      NormalRow& row = batch.row(k);
+      c.normal_impulse = row.impulse;
       if (!std::exchange(c.fresh, false)) {
         const Approach before = c.approach;
         const double span = c.lag;
-        advance(c, batch.rows[k], middle);
+        advance(c, row, middle);
         if (fades_) note_rest(c, before.rate, middle, span);
       } else if (c.record.end != Encounter::never) {
         c.record.how = EncounterEnd::deformed_rebound;
       }
     }
   }
+
+  double drag(const ContactState& c, double mobility) const override {
+    return implicit_force(law_, c.approach, c.approach, memories_[c.slot], step_, mobility).slope;
+  }
+  bool drag_varies() const noexcept override { return !constant_slope<Law>; }
 
   double force_at(const ContactState& c, Approach then, double span) const override {
     return force_after(law_, c.approach, then, memories_[c.slot], span);
