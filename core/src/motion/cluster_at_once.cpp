@@ -14,6 +14,12 @@ constexpr std::size_t block_size = 64;
 
 }  // namespace
 
+struct Cluster::Workspace {
+  std::array<ContactGeometry, block_size> geometries;
+  std::array<motion::NormalRow, block_size> rows;
+  std::array<Passed, block_size> passed;
+};
+
 // Each contact foresees what the others pass. With u the rates of all contacts, W their common mobility and D its
 // diagonal, that is one Jacobi step u' = −W P, (1 + γD) P = h R(u − ½(W − D) P_last) with γ = ½h c; a mode with
 // W = κD is stable as long as γD(κ − 1) < ½. The greatest eigenvalue of γW is at most that of the greatest sum, over
@@ -64,12 +70,12 @@ void Cluster::pass_at_once() {
   // Walls have entries of no consequence.
   state_.velocity_gains.assign(motions_.size(), {});
   state_.spin_gains.assign(motions_.size(), {});
-  std::array<Passed, block_size> passed;
+  Workspace space;
   const auto count = static_cast<std::uint32_t>(state_.contacts.size());
   for (std::uint32_t first = 0; first < count; first += block_size) {
     const std::uint32_t last = std::min<std::uint32_t>(count, first + block_size);
-    const std::span<Passed> these(passed.data(), last - first);
-    pass_block(first, last, these);
+    const std::span<Passed> these(space.passed.data(), last - first);
+    pass_block(first, last, space, these);
     gather(these);
   }
   state_.velocity_gains.resize(size());
@@ -82,12 +88,12 @@ void Cluster::pass_at_once() {
   converged_ = true;
 }
 
-void Cluster::pass_block(std::uint32_t first, std::uint32_t last, std::span<Passed> passed) {
-  std::array<ContactGeometry, block_size> geometries;
-  std::array<motion::NormalRow, block_size> rows;
+void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& space, std::span<Passed> passed) {
+  auto& geometries = space.geometries;
+  auto& rows = space.rows;
   for (std::uint32_t k = first; k < last; ++k) {
     const ContactState& c = state_.contacts[k];
-    geometries[k - first] = geometry(c.record.i, c.record.j);
+    geometries[k - first] = geometry(c.record.i, c.record.j, models_[c.model].turns);
     rows[k - first] = normal_row(c, geometries[k - first]);
   }
   const auto each_batch = [&](const auto& act) {
@@ -122,8 +128,8 @@ void Cluster::gather(std::span<const Passed> passed) noexcept {
 }
 
 template <bool Turns>
-Cluster::Course Cluster::pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 v,
-                                      Passed& passed) noexcept {
+void Cluster::pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 v,
+                           Passed& passed, Course* course) const noexcept {
   const TangentialContact& law = models_[c.model].tangential;
   const Motion &one = motions_[c.record.i], &other = motions_[c.record.j];
   const SlipMobility m = slip_mobility(c, g);
@@ -158,7 +164,65 @@ Cluster::Course Cluster::pass_springs(ContactState& c, const ContactGeometry& g,
   }
   c.friction = f;
   c.elongation = end.elongation, c.strained = end.stored;
-  return {along.rate_mid, {}, mean, found.sticks, 0};
+  if (course != nullptr) course->after = mean, course->sticks = found.sticks;
+}
+
+// The same for the contact that is met most: one that slides or sticks on its spring, neither fresh nor with springs
+// against torsion and rolling. In impulses, not in tractions.
+void Cluster::pass_slide(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 v,
+                         Passed& passed, Course* course) const noexcept {
+  const Model& model = models_[c.model];
+  const TangentialContact& law = model.tangential;
+  const Motion &one = motions_[c.record.i], &other = motions_[c.record.j];
+  const double t = options_.step, span = c.lag, m = slip_mobility(c, g).slip;
+  const Vec3 n = g.normal, v_start = one.velocity - other.velocity - swept(c, g);
+  const Vec3 then = normal_then(c, g, v_start);
+  const Spring before = spring(law.law, c.approach.overlap), now = spring(law.law, g.overlap);
+  const Vec3 slip = tangential(v_start, n) + cross(g.arm_i * one.spin + g.arm_j * other.spin, n);
+  const Vec3 moved = slip - span / t * turning(c, g, v_start);
+  const Vec3 start = turned(c.elongation.slide, then, n);
+  const Vec3 held = tangential(motion::compliant::strained(before.stiffness, now.stiffness, start, span * moved), n);
+  const Vec3 last = tangential(c.friction.sliding, n);
+  const Vec3 mean_foreseen = tangential(v, n) + cross(g.arm_i * one.spin_mid + g.arm_j * other.spin_mid, n);
+  const Vec3 free = mean_foreseen - 0.5 * m * last;
+  const double drag = t * now.damping;
+  Vec3 impulse = -1.0 / (1 + 0.5 * drag * m) * (t * now.stiffness * held + drag * free);
+  Vec3 elongation = held;
+  const double speed = law.friction.depends_on_speed() ? norm(mean_foreseen) : 0;
+  const double limit = law.friction.coefficient(speed) * std::max(0.0, along.impulse);
+  const bool slides = motion::compliant::over(impulse, limit);
+  if (slides) {
+    const Vec3 passed_last = span < t ? -t * before.stiffness * start : turned(c.friction.sliding, then, n);
+    impulse =
+        motion::compliant::led(impulse, limit, passed_last, motion::compliant::halfway(before, start, moved, span));
+    impulse = contact::cut(impulse, limit).traction;
+    elongation = motion::compliant::relaxed(now, start, -1 / t * passed_last, -1 / t * impulse, span);
+  }
+  const Vec3 mean = free + 0.5 * m * impulse;
+  const double stored = 0.5 * now.stiffness * dot(elongation, elongation);
+  const double change = stored - 0.5 * before.stiffness * dot(start, start);
+  const double at_end = std::max(0.0, stored + 0.5 * t / span * change);
+  const bool sticks = !slides && now.stiffness == before.stiffness;
+  passed.lost_friction = sticks ? drag * dot(mean, mean) : c.strained - at_end - dot(impulse, mean);
+  const Vec3 lever = cross(n, impulse);
+  passed.linear += impulse;
+  passed.on_i = g.arm_i * lever, passed.on_j = g.arm_j * lever;
+  c.friction.sliding = impulse;
+  c.elongation.slide = elongation, c.strained = at_end;
+  if (course == nullptr) return;
+  const Vec3 spin = one.spin_mid - other.spin_mid;
+  course->after = {mean, dot(spin, n), cross(spin, n)};
+  course->sticks = !slides;
+}
+
+// Of `course` the mean motion stands in `after`.
+void Cluster::note_course(ContactState& c, const ContactGeometry& g, double rate_mid, Course course) const noexcept {
+  const auto after = [](const auto& mean, const auto& before) { return 2.0 * mean - before; };
+  course.before = slip_before(c, g);
+  course.after = {after(course.after.slip, course.before.slip), after(course.after.spin, course.before.spin),
+                  after(course.after.roll, course.before.roll)};
+  course.rate_mid = rate_mid, course.slip_fraction = 0;
+  note_phases(c, g, course);
 }
 
 void Cluster::pass(ContactState& c, const ContactGeometry& g, motion::NormalRow& along, Passed& passed) noexcept {
@@ -177,19 +241,22 @@ void Cluster::pass(ContactState& c, const ContactGeometry& g, motion::NormalRow&
             .lost_friction = 0,
             .wall_work = 0};
   const Model& model = models_[c.model];
-  Course course{along.rate_mid, {}, {}, false, 0};
-  if (model.turns)
-    course = pass_springs<true>(c, g, along, v, passed);
-  else if (model.compliant)
-    course = pass_springs<false>(c, g, along, v, passed);
-  else
-    course.after = motion::slip_of(g, v, motions_[i].spin_mid, motions_[j].spin_mid);
+  const auto by_law = [&](Course* course) {
+    if (model.turns)
+      pass_springs<true>(c, g, along, v, passed, course);
+    else if (model.compliant && c.fresh)
+      pass_springs<false>(c, g, along, v, passed, course);
+    else if (model.compliant)
+      pass_slide(c, g, along, v, passed, course);
+    else if (course != nullptr)
+      course->after = motion::slip_of(g, v, motions_[i].spin_mid, motions_[j].spin_mid);
+  };
   if (options_.records) {
-    const auto after = [](const auto& mean, const auto& before) { return 2.0 * mean - before; };
-    course.before = slip_before(c, g);
-    course.after = {after(course.after.slip, course.before.slip), after(course.after.spin, course.before.spin),
-                    after(course.after.roll, course.before.roll)};
-    note_phases(c, g, course);
+    Course course{};
+    by_law(&course);
+    note_course(c, g, along.rate_mid, course);
+  } else {
+    by_law(nullptr);
   }
   if (walls_drive_)
     passed.wall_work =

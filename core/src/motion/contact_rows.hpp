@@ -13,8 +13,8 @@ RICOCHET_INNERMOST Vec3 Cluster::branch(std::uint32_t i, std::uint32_t j) const 
   return periodic_.any() ? periodic_.shortest(way) : way;
 }
 
-RICOCHET_INNERMOST ContactGeometry Cluster::geometry(std::uint32_t i, std::uint32_t j) const noexcept {
-  if (j < size()) return sphere_sphere({}, radii_[i], branch(i, j), radii_[j]);
+RICOCHET_INNERMOST ContactGeometry Cluster::geometry(std::uint32_t i, std::uint32_t j, bool disc) const noexcept {
+  if (j < size()) return sphere_sphere({}, radii_[i], branch(i, j), radii_[j], disc);
   return wall_of(j).meet(state_.half_positions[i], radii_[i], middle());
 }
 
@@ -55,6 +55,19 @@ RICOCHET_INNERMOST Vec3 Cluster::turning(const ContactState& c, const ContactGeo
   return motion::turning(g, v, motions_[c.record.i].spin, motions_[j].spin, wall, 0.5 * options_.step);
 }
 
+// The normal at the time of the memory; all fly straight since.
+RICOCHET_INNERMOST Vec3 Cluster::normal_then(const ContactState& c, const ContactGeometry& g, Vec3 v) const noexcept {
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  if (j < size()) {
+    const Vec3 branch = (g.arm_i + g.arm_j) * g.normal + c.lag * v;
+    const double distance = norm(branch);
+    return distance > 0 ? 1 / distance * branch : g.normal;
+  }
+  if (wall_of(j).flat()) return g.normal;
+  const Vec3 then = state_.half_positions[i] - c.lag * motions_[i].velocity;
+  return wall_of(j).meet(then, radii_[i], middle() - c.lag).normal;
+}
+
 // From the memory to the middle all fly straight: means are those halfway.
 template <bool Turns>
 RICOCHET_INNERMOST motion::CompliantRow Cluster::compliant_row(const ContactState& c, const ContactGeometry& g,
@@ -70,16 +83,8 @@ RICOCHET_INNERMOST motion::CompliantRow Cluster::compliant_row(const ContactStat
                                      .step = options_.step,
                                      .since_touch = since_touch};
   approach.motion.slip -= c.lag / options_.step * turning(c, g, v);
-  const bool curved = j >= size() && !wall_of(j).flat();
-  if (j < size()) {
-    const Vec3 branch = (g.arm_i + g.arm_j) * g.normal + c.lag * v;
-    const double distance = norm(branch);
-    if (distance > 0) approach.normal_then = 1 / distance * branch;
-  } else if (curved) {
-    const Vec3 then = state_.half_positions[i] - c.lag * one.velocity;
-    approach.normal_then = wall_of(j).meet(then, radii_[i], middle() - c.lag).normal;
-  }
-  if (Turns && (j < size() || curved)) {
+  approach.normal_then = normal_then(c, g, v);
+  if (Turns && approach.normal_then != g.normal) {
     const Vec3 spin = one.spin - other.spin, between = approach.normal_then + g.normal;
     const double length = norm(between);
     const Vec3 normal = length > 0 ? between / length : g.normal;
@@ -97,12 +102,12 @@ RICOCHET_INNERMOST double Cluster::normal_impulse(const ContactState& c, const m
   const double force = explicit_force / (1 + 0.5 * h * row.slope * row.mobility);
   if (models_[c.model].end == ContactEnd::overlap) return h * force;
   // Only what repels counts. Over the step R is taken as linear; where it changes sign, the triangle remains.
-  const double slope = (force - c.force) / c.lag;
-  const double first = force - 0.5 * h * slope, last = force + 0.5 * h * slope;
+  const double half_change = (c.lag == h ? 0.5 : 0.5 * h / c.lag) * (force - c.force);
+  const double first = force - half_change, last = force + half_change;
   if (first >= 0 && last >= 0) return h * force;
   if (first <= 0 && last <= 0) return 0;
   const double peak = std::max(first, last);
-  return 0.5 * peak * peak / std::abs(slope);
+  return 0.25 * h * peak * peak / std::abs(half_change);
 }
 
 RICOCHET_INNERMOST SlipMotion Cluster::slip_motion(const ContactState& c, const ContactGeometry& g,

@@ -154,13 +154,16 @@ struct Elongation {
   bool operator==(const Elongation&) const = default;
 };
 
+/// A vector that is normal to the unit vector `from` after the shortest turn of `from` into `to`.
+inline Vec3 turned(Vec3 a, Vec3 from, Vec3 to) noexcept {
+  const double nearness = 1 + dot(from, to);
+  return nearness > 1e-12 ? a - dot(to, a) / nearness * (from + to) : a;
+}
+
 /// The elongation after the normal has turned from one unit vector to another by the shortest way; lengths are kept.
 /// Opposite normals (a step that passes through a body) leave it as it is.
 inline Elongation turned(const Elongation& e, Vec3 from, Vec3 to) noexcept {
-  const double nearness = 1 + dot(from, to);
-  if (!(nearness > 1e-12)) return e;
-  const Vec3 both = 1 / nearness * (from + to);
-  return {e.slide - dot(to, e.slide) * both, e.twist, e.roll - dot(to, e.roll) * both};
+  return {turned(e.slide, from, to), e.twist, turned(e.roll, from, to)};
 }
 
 /// How a contact is pressed together.

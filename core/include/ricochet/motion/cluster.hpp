@@ -190,7 +190,7 @@ class Cluster {
   void add_bodies(const ClusterSetup& setup);
   void add_models(const Interactions& interactions);
   std::uint32_t model_of(std::uint32_t i, std::uint32_t j) const noexcept;
-  ContactGeometry geometry(std::uint32_t i, std::uint32_t j) const noexcept;
+  ContactGeometry geometry(std::uint32_t i, std::uint32_t j, bool disc = true) const noexcept;
   const motion::Surface& wall_of(std::uint32_t j) const noexcept { return walls_[j - size()]; }
   Vec3 branch(std::uint32_t i, std::uint32_t j) const noexcept;
   double middle() const noexcept { return time() + 0.5 * options_.step; }
@@ -235,12 +235,17 @@ class Cluster {
   bool needs_no_sweeps();
   void foresee() noexcept;
   void pass_at_once();
-  void pass_block(std::uint32_t first, std::uint32_t last, std::span<Passed> passed);
+  struct Workspace;
+  void pass_block(std::uint32_t first, std::uint32_t last, Workspace& space, std::span<Passed> passed);
   void gather(std::span<const Passed> passed) noexcept;
   void pass(ContactState& c, const ContactGeometry& g, motion::NormalRow& along, Passed& passed) noexcept;
+  Vec3 normal_then(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
+  void pass_slide(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
+                  Passed& passed, Course* course) const noexcept;
   template <bool Turns>
-  Course pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
-                      Passed& passed) noexcept;
+  void pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
+                    Passed& passed, Course* course) const noexcept;
+  void note_course(ContactState& c, const ContactGeometry& g, double rate_mid, Course course) const noexcept;
   motion::NormalBatch batch(const Model& model) noexcept;
   void push(const ContactState& c, const ContactGeometry& g, double normal) noexcept;
   void apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept;
