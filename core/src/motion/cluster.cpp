@@ -83,6 +83,7 @@ void Cluster::add_bodies(const ClusterSetup& setup) {
     state_.spins.push_back(walls_.back().spin());
   }
   set_wall_velocities(0);
+  drags_.assign(inverse_mass_.size(), 0);
   for (std::size_t m : materials_) material_count_ = std::max(material_count_, m + 1);
   for (const Sphere& s : setup.later) material_count_ = std::max(material_count_, s.material + 1);
 }
@@ -98,11 +99,20 @@ void Cluster::add_models(const Interactions& interactions) {
     kernel_error_ = std::max(kernel_error_, normal->kernel_error());
     const TangentialContact tangential{interaction.tangential, interaction.friction, interaction.torsion,
                                        interaction.rolling};
-    Model& model = models_.emplace_back(
-        Model{tangential, false, false, interaction.end, interaction.breakage_energy, 0, 0, std::move(normal), {}});
+    Model& model = models_.emplace_back(Model{tangential,
+                                              false,
+                                              false,
+                                              interaction.end,
+                                              interaction.breakage_energy,
+                                              normal->constant_drag(),
+                                              0,
+                                              0,
+                                              std::move(normal),
+                                              {}});
     model.compliant =
         compliant(interaction.tangential) && model.rubs();  // where all limits are 0 no spring is strained
     has_springs_ = has_springs_ || model.compliant;
+    drags_vary_ = drags_vary_ || !model.drag;
     if (!model.compliant) continue;
     model.turns = motion::compliant::turns(tangential);
     model.damping = spring(interaction.tangential, 0).damping;
@@ -207,6 +217,8 @@ void Cluster::restore(ClusterState state) {
   }
   state_.memories.clear();
   group_contacts();
+  mark_closed();
+  sum_drags();
 }
 
 std::optional<Breakthrough> Cluster::breakthrough() const noexcept {

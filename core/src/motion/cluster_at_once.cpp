@@ -24,33 +24,35 @@ struct Cluster::Workspace {
 // diagonal, that is one Jacobi step u' = −W P, (1 + γD) P = h R(u − ½(W − D) P_last) with γ = ½h c; a mode with
 // W = κD is stable as long as γD(κ − 1) < ½. The greatest eigenvalue of γW is at most that of the greatest sum, over
 // both bodies of a contact, of their contacts' γ/m, so a quarter a body suffices.
-void Cluster::sum_drags() {
+void Cluster::add_drag(const ContactState& c, std::int64_t sign) noexcept {
+  constexpr double enough = 0.25, unit = 0x1p-32, most = 1e4;
+  constexpr auto limit = static_cast<std::int64_t>(enough / unit);
+  const Model& model = models_[c.model];
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  const double along = model.drag ? *model.drag : model.normal->drag(c, inverse_mass_[i] + inverse_mass_[j]);
+  const auto add = [&](std::uint32_t body, double arm) {
+    const double drag = inverse_mass_[body] * (std::abs(along) + model.damping) +
+                        inverse_inertia_[body] * (arm * arm * model.damping + model.turning_damping);
+    std::int64_t& sum = drags_[body];
+    braked_ -= sum > limit ? 1 : 0;
+    sum += sign * static_cast<std::int64_t>(std::ceil(std::min(most, 0.5 * options_.step * drag) / unit));
+    braked_ += sum > limit ? 1 : 0;
+  };
+  add(i, radii_[i]);
+  if (j < radii_.size()) add(j, radii_[j]);
+}
+
+void Cluster::sum_drags() noexcept {
   drags_.assign(inverse_mass_.size(), 0);
-  for (const ContactState& c : state_.contacts) {
-    const Model& model = models_[c.model];
-    const std::uint32_t i = c.record.i, j = c.record.j;
-    const double along = std::abs(model.normal->drag(c, inverse_mass_[i] + inverse_mass_[j]));
-    const auto add = [&](std::uint32_t body, double arm) {
-      drags_[body] += inverse_mass_[body] * (along + model.damping) +
-                      inverse_inertia_[body] * (arm * arm * model.damping + model.turning_damping);
-    };
-    add(i, radii_[i]);
-    if (j < size()) add(j, radii_[j]);
-  }
-  constexpr double enough = 0.25;
-  const double most = 2 * enough / options_.step;
-  calm_ = std::all_of(drags_.begin(), drags_.end(), [&](double drag) { return drag <= most; });
+  braked_ = 0;
+  for (const ContactState& c : state_.contacts) add_drag(c, 1);
 }
 
 bool Cluster::needs_no_sweeps() {
-  bool varies = false;
-  for (const Model& model : models_) {
-    if (model.members.empty()) continue;
-    if (model.rubs() && !model.compliant) return false;
-    varies = varies || model.normal->drag_varies();
-  }
-  if (varies) sum_drags();
-  return calm_;
+  for (const Model& model : models_)
+    if (model.rubs() && !model.compliant && !model.members.empty()) return false;
+  if (drags_vary_) sum_drags();
+  return braked_ == 0;
 }
 
 // What the bodies will do in the middle of the step if contacts pass what they passed in the last one.

@@ -87,7 +87,9 @@ void Cluster::add(std::span<const Sphere> spheres) {
     radii_.push_back(s.radius);
   }
   renumber_walls(there);
+  sum_drags();
   neighbours_ = NeighbourList(radii_, neighbours_.skin(), periodic_.period);
+  candidates_.clear(), closed_.clear();
   state_.brought += energy().mechanical() - before;
 }
 
@@ -123,7 +125,9 @@ void Cluster::remove(std::span<const std::uint32_t> leaving) {
     close_up(*of_bodies);
   close_up(materials_);
   group_contacts();
+  sum_drags();
   neighbours_ = NeighbourList(radii_, neighbours_.skin(), periodic_.period);
+  candidates_.clear(), closed_.clear();
   state_.brought += energy().mechanical() - before;
 }
 

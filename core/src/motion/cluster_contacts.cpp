@@ -58,6 +58,8 @@ void Cluster::find_touching() {
     if (touches(i, j) == (closed_[k] != 0)) continue;
     if (closed_[k] == 0) {
       born.push_back(begin_contact(i, j));
+      closed_[k] = 1;
+      add_drag(born.back(), 1);
     } else {
       const auto first = state_.contacts.begin();
       const auto c =
@@ -65,6 +67,7 @@ void Cluster::find_touching() {
             return NearPair{a.record.i, a.record.j} < b;
           });
       separated_.push_back(static_cast<std::uint32_t>(c - first));
+      closed_[k] = 0;
     }
   }
   drop_separated();
@@ -78,8 +81,6 @@ void Cluster::find_touching() {
 void Cluster::group_contacts() {
   for (Model& model : models_) model.members.clear();
   for (std::uint32_t k = 0; k < state_.contacts.size(); ++k) models_[state_.contacts[k].model].members.push_back(k);
-  mark_closed();
-  sum_drags();
 }
 
 // Candidates and contacts are both in the order of their pairs. A contact that is no candidate has flown apart by more
@@ -168,12 +169,14 @@ void Cluster::drop_separated() {
   for (std::size_t k = kept; k < contacts.size(); ++k) {
     if (next != separated_.end() && *next == k) {
       ++next;
+      add_drag(contacts[k], -1);
       finish(contacts[k], geometry(contacts[k].record.i, contacts[k].record.j));
     } else {
       contacts[kept++] = contacts[k];
     }
   }
   contacts.resize(kept);
+  separated_.clear();
   group_contacts();
 }
 

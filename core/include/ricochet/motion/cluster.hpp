@@ -149,6 +149,7 @@ class Cluster {
     bool compliant, turns;
     ContactEnd end;
     double breakage_energy;
+    std::optional<double> drag;       // of the normal law, where it is one
     double damping, turning_damping;  // of springs in the tangent plane
     std::unique_ptr<motion::NormalContacts> normal;
     std::vector<std::uint32_t> members;  // which of all contacts, ascending
@@ -231,7 +232,8 @@ class Cluster {
   motion::CompliantRow compliant_row(const ContactState& c, const ContactGeometry& g,
                                      double since_touch) const noexcept;
   motion::NormalRow normal_row(const ContactState& c, const ContactGeometry& g) const noexcept;
-  void sum_drags();
+  void add_drag(const ContactState& c, std::int64_t sign) noexcept;
+  void sum_drags() noexcept;
   bool needs_no_sweeps();
   void foresee() noexcept;
   void pass_at_once();
@@ -279,14 +281,15 @@ class Cluster {
   ClusterState state_;  // without memories; velocities and spins of walls follow those of the spheres
   NeighbourList neighbours_;
   std::vector<NearPair> candidates_;
-  std::vector<char> closed_;                   // whether they are in contact
-  std::vector<std::uint32_t> separated_;       // contacts that are to end
-  std::vector<Motion> motions_;                // of bodies
-  std::vector<ContactGeometry> geometries_;    // of contacts, in the middle of the step
-  std::vector<motion::NormalRow> normals_;     // of the same contacts
-  std::vector<double> drags_;                  // of bodies
-  bool calm_ = false;                          // no body has too many
-  std::vector<Row> rows_;                      // of the same contacts, else
+  std::vector<char> closed_;                 // whether they are in contact
+  std::vector<std::uint32_t> separated_;     // contacts that are to end
+  std::vector<Motion> motions_;              // of bodies
+  std::vector<ContactGeometry> geometries_;  // of contacts, in the middle of the step
+  std::vector<motion::NormalRow> normals_;   // of the same contacts
+  std::vector<std::int64_t> drags_;          // of bodies; whole numbers, so that their sums do not depend on the order
+  std::int64_t braked_ = 0;                  // bodies with too many
+  bool drags_vary_ = false;                  // from step to step in a contact
+  std::vector<Row> rows_;                    // of the same contacts, else
   std::vector<motion::CompliantRow> springs_;  // of the same contacts; none where no interaction has any
   bool has_springs_ = false;
   std::vector<Vec3> field_forces_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -63,8 +64,8 @@ class NormalContacts {
   virtual void conclude(const NormalBatch& batch, double middle) = 0;
   /// How fast the force grows with the rate over a step that begins with the contact as it is [N s/m].
   virtual double drag(const ContactState& contact, double mobility) const = 0;
-  /// Whether that depends on the contact.
-  virtual bool drag_varies() const noexcept = 0;
+  /// The same where it is that of every contact.
+  virtual std::optional<double> constant_drag() const noexcept = 0;
   /// The signed force `span` [s] after the contact's approach, at another [N].
   virtual double force_at(const ContactState& contact, Approach then, double span) const = 0;
 
@@ -135,7 +136,10 @@ class NormalContactsOf final : public NormalContacts {
   double drag(const ContactState& c, double mobility) const override {
     return implicit_force(law_, c.approach, c.approach, memories_[c.slot], step_, mobility).slope;
   }
-  bool drag_varies() const noexcept override { return !constant_slope<Law>; }
+  std::optional<double> constant_drag() const noexcept override {
+    if constexpr (constant_slope<Law>) return implicit_force(law_, {}, {}, Memory{}, step_, 0).slope;
+    return std::nullopt;
+  }
 
   double force_at(const ContactState& c, Approach then, double span) const override {
     return force_after(law_, c.approach, then, memories_[c.slot], span);
