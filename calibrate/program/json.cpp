@@ -1,3 +1,4 @@
+#include "real_sphere.hpp"
 #include "report.hpp"
 
 #include <console/json.hpp>
@@ -155,6 +156,8 @@ Json document_of(const Report& report, StepAdvisor& advisor) {
     if (!report.tangential.empty()) result["tangential"] = json_of(report.tangential[i]);
     result["timestep"] = json_of(steps_of(r, advisor));
     if (const auto time = hertz_time_of(r.law, report.job.known.impact)) result["hertz_time"] = *time;
+    if (const auto sphere = real_sphere(report.job, r))
+      result["real_sphere"] = {{"en", sphere->en}, {"relative_difference", sphere->difference}};
     out["results"].push_back(result);
   }
   if (const auto time = rayleigh_of(report.job)) out["rayleigh_time"] = *time;

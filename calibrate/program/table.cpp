@@ -1,3 +1,4 @@
+#include "real_sphere.hpp"
 #include "report.hpp"
 
 #include <console/number.hpp>
@@ -71,6 +72,9 @@ Table collision_table(const Report& report) {
     table.row(row);
   }
   for (const auto& r : report.results) note_fractional(table, r);
+  for (const auto& r : report.results)
+    if (const auto sphere = real_sphere(report.job, r))
+      table.note(fmt::format("{}, ended by {}: {}", law_of(r), end_of(r), said(*sphere)));
   for (const auto& r : report.results)
     if (report.job.radius && r.achieved.max_overlap > *report.job.radius)
       table.note(fmt::format("{}, ended by {}: goes deeper than the radius, which no grain can; take it stiffer",

@@ -10,10 +10,13 @@
 #include <ricochet/collision/instant.hpp>
 #include <ricochet/collision/oblique.hpp>
 #include <ricochet/collision/peer_damping.hpp>
+#include <ricochet/collision/power_law_sphere.hpp>
 #include <ricochet/collision/reach.hpp>
 #include <ricochet/collision/reduction.hpp>
 #include <ricochet/collision/scale_and_loss.hpp>
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
+#include <ricochet/collision/solvers/hertzian_forms.hpp>
+#include <ricochet/collision/solvers/sphere_elements.hpp>
 #include <ricochet/collision/tangential_restitution.hpp>
 #include <ricochet/collision/trace.hpp>
 #include <ricochet/contact/arms_block.hpp>
