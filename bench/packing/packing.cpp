@@ -2,10 +2,10 @@
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <map>
 #include <random>
@@ -57,7 +57,7 @@ ClusterSetup setup_of(const Packing& packing, const std::string& kind) {
   return setup;
 }
 
-ClusterOptions options_of(double tolerance, [[maybe_unused]] int threads) {
+ClusterOptions options_of(double tolerance) {
   // What 12 arms reach over 1000 steps.
   return {.step = step,
           .longest_contact = 1000 * step,
@@ -144,7 +144,7 @@ void deck(const std::string& file, int steps) {
 
 void settle(int count, const std::string& file, double seconds) {
   Packing packing = thrown(count);
-  Cluster cluster(setup_of(packing, "springs"), options_of(1e-10, 1));
+  Cluster cluster(setup_of(packing, "springs"), options_of(1e-10));
   if (!cluster.advance(static_cast<std::uint64_t>(seconds / step))) throw std::runtime_error("diverged");
   for (std::size_t i = 0; i < cluster.size(); ++i) packing.positions[i] = cluster.position(i);
   const ClusterEnergy e = cluster.energy();
@@ -153,15 +153,15 @@ void settle(int count, const std::string& file, double seconds) {
   write(file, packing);
 }
 
-void run(const std::string& kind, const std::string& file, int steps, double tolerance, int threads) {
-  Cluster cluster(setup_of(read(file), kind), options_of(tolerance, threads));
+void run(const std::string& kind, const std::string& file, int steps, double tolerance) {
+  Cluster cluster(setup_of(read(file), kind), options_of(tolerance));
   cluster.advance(static_cast<std::uint64_t>(steps));  // springs load, sweeps find their first guess
   const std::uint64_t unconverged = cluster.state().unconverged;
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   double sweeps = 0;
   for (int n = 0; n < steps; ++n) cluster.step(), sweeps += cluster.last_sweeps();
-  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-  std::printf("%.4f %zu %.1f %llu\n", taken.count() / steps, cluster.contacts().size(), sweeps / steps,
+  const double taken = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  std::printf("%.4f %zu %.1f %llu\n", taken / steps, cluster.contacts().size(), sweeps / steps,
               static_cast<unsigned long long>(cluster.state().unconverged - unconverged));
 }
 
@@ -178,13 +178,12 @@ int main(int argc, char** argv) {
       deck(a[1], std::stoi(a[2]));
       return 0;
     }
-    if (a.size() == 6 && a[0] == "run") {
-      run(a[1], a[2], std::stoi(a[3]), std::stod(a[4]), std::stoi(a[5]));
+    if (a.size() == 5 && a[0] == "run") {
+      run(a[1], a[2], std::stoi(a[3]), std::stod(a[4]));
       return 0;
     }
-    std::fputs(
-        "packing settle COUNT FILE SECONDS | packing deck FILE STEPS | packing run KIND FILE STEPS TOLERANCE THREADS\n",
-        stderr);
+    std::fputs("packing settle COUNT FILE SECONDS | packing deck FILE STEPS | packing run KIND FILE STEPS TOLERANCE\n",
+               stderr);
     return 2;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "packing: %s\n", e.what());
