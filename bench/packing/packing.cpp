@@ -2,6 +2,7 @@
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -57,13 +58,14 @@ ClusterSetup setup_of(const Packing& packing, const std::string& kind) {
   return setup;
 }
 
-ClusterOptions options_of(double tolerance) {
+ClusterOptions options_of(double tolerance, int threads = 1) {
   // What 12 arms reach over 1000 steps.
   return {.step = step,
           .longest_contact = 1000 * step,
           .kernel_tolerance = 2e-6,
           .solver_tolerance = tolerance,
-          .records = false};
+          .records = false,
+          .threads = threads};
 }
 
 // Grains thrown together a little apart, in layers as many as a side has.
@@ -153,16 +155,18 @@ void settle(int count, const std::string& file, double seconds) {
   write(file, packing);
 }
 
-void run(const std::string& kind, const std::string& file, int steps, double tolerance) {
-  Cluster cluster(setup_of(read(file), kind), options_of(tolerance));
+void run(const std::string& kind, const std::string& file, int steps, double tolerance, int threads) {
+  Cluster cluster(setup_of(read(file), kind), options_of(tolerance, threads));
   cluster.advance(static_cast<std::uint64_t>(steps));  // springs load, sweeps find their first guess
   const std::uint64_t unconverged = cluster.state().unconverged;
   const std::clock_t start = std::clock();
+  const auto begun = std::chrono::steady_clock::now();
   double sweeps = 0;
   for (int n = 0; n < steps; ++n) cluster.step(), sweeps += cluster.last_sweeps();
+  const std::chrono::duration<double, std::milli> waited = std::chrono::steady_clock::now() - begun;
   const double taken = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  std::printf("%.4f %zu %.1f %llu\n", taken / steps, cluster.contacts().size(), sweeps / steps,
-              static_cast<unsigned long long>(cluster.state().unconverged - unconverged));
+  std::printf("%.4f %.4f %zu %.1f %llu\n", taken / steps, waited.count() / steps, cluster.contacts().size(),
+              sweeps / steps, static_cast<unsigned long long>(cluster.state().unconverged - unconverged));
 }
 
 }  // namespace
@@ -178,12 +182,13 @@ int main(int argc, char** argv) {
       deck(a[1], std::stoi(a[2]));
       return 0;
     }
-    if (a.size() == 5 && a[0] == "run") {
-      run(a[1], a[2], std::stoi(a[3]), std::stod(a[4]));
+    if (a.size() == 6 && a[0] == "run") {
+      run(a[1], a[2], std::stoi(a[3]), std::stod(a[4]), std::stoi(a[5]));
       return 0;
     }
-    std::fputs("packing settle COUNT FILE SECONDS | packing deck FILE STEPS | packing run KIND FILE STEPS TOLERANCE\n",
-               stderr);
+    std::fputs(
+        "packing settle COUNT FILE SECONDS | packing deck FILE STEPS | packing run KIND FILE STEPS TOLERANCE THREADS\n",
+        stderr);
     return 2;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "packing: %s\n", e.what());

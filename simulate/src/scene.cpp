@@ -228,7 +228,7 @@ Scene read_scene(const std::string& file, const std::string& text) {
   const console::Json json = console::parse_json(file, text, "docs/scenes.md");
   const Node root(file, text, json);
   root.allow({"schema", "title", "duration", "output_interval", "step", "gravity", "materials", "interactions",
-              "spheres", "walls", "boxes", "reclosing"});
+              "spheres", "walls", "boxes", "reclosing", "solver_tolerance"});
   if (root.has("schema")) root.at("schema").one_of({"ricochet/scene/1"});
   Scene scene;
   if (root.has("title")) scene.title = root.at("title").text();
@@ -240,6 +240,10 @@ Scene read_scene(const std::string& file, const std::string& text) {
   read_walls(root, materials, scene);
   if (root.has("reclosing") && root.at("reclosing").one_of({"repels", "silent"}) == "silent")
     scene.options.reclosing = Reclosing::silent;
+  if (root.has("solver_tolerance")) {
+    scene.options.solver_tolerance = root.at("solver_tolerance").positive();
+    if (scene.options.solver_tolerance > 0.01) root.at("solver_tolerance").reject("at most 0.01");
+  }
   check_pairs(root, materials, scene);
   check_apart(root, scene.setup);
   resolve(by_pair, scene.setup);

@@ -64,6 +64,8 @@ Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)
   require(tolerance >= 1e-12 && tolerance <= 0.1, "kernel_tolerance", tolerance, "in [1e-12, 0.1]");
   support::require_positive("solver_tolerance", options.solver_tolerance);
   require(options.max_sweeps >= 1, "max_sweeps", options.max_sweeps, "at least 1");
+  require(options.threads >= 1 && options.threads <= 256, "threads", options.threads, "in [1, 256]");
+  if (options.threads > 1) workers_ = std::make_unique<motion::Workers>(static_cast<std::size_t>(options.threads));
   add_bodies(setup);
   add_models(setup.interactions);
   find_touching();  // who overlaps at the start

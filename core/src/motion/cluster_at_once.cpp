@@ -72,13 +72,14 @@ void Cluster::pass_at_once() {
   // Walls have entries of no consequence.
   state_.velocity_gains.assign(motions_.size(), {});
   state_.spin_gains.assign(motions_.size(), {});
-  Workspace space;
-  const auto count = static_cast<std::uint32_t>(state_.contacts.size());
-  for (std::uint32_t first = 0; first < count; first += block_size) {
-    const std::uint32_t last = std::min<std::uint32_t>(count, first + block_size);
-    const std::span<Passed> these(space.passed.data(), last - first);
-    pass_block(first, last, space, these);
-    gather(these);
+  if (workers_) {
+    passed_.resize(state_.contacts.size());
+    workers_->share(passed_.size(), block_size, [&](std::size_t first, std::size_t last, std::size_t) {
+      pass_range(first, last, std::span(passed_).subspan(first, last - first));
+    });
+    gather(passed_);
+  } else {
+    pass_range(0, state_.contacts.size(), {});
   }
   state_.velocity_gains.resize(size());
   state_.spin_gains.resize(size());
@@ -90,12 +91,34 @@ void Cluster::pass_at_once() {
   converged_ = true;
 }
 
+// Of contacts first … last − 1, by blocks. Without `passed`, which takes what they pass, that is gathered at once.
+void Cluster::pass_range(std::size_t first, std::size_t last, std::span<Passed> passed) {
+  Workspace space;
+  for (std::size_t k = first; k < last; k += block_size) {
+    const std::size_t end = std::min(last, k + block_size);
+    const std::span<Passed> these =
+        passed.empty() ? std::span(space.passed).first(end - k) : passed.subspan(k - first, end - k);
+    pass_block(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(end), space, these);
+    if (passed.empty()) gather(these);
+  }
+}
+
+// As geometry, from what lies side by side.
+inline ContactGeometry Cluster::geometry_of(const ContactState& c) const noexcept {
+  const std::uint32_t i = c.record.i, j = c.record.j;
+  if (j >= radii_.size()) return geometry(i, j);
+  const Motion &one = motions_[i], &other = motions_[j];
+  const Vec3 way = other.position - one.position;
+  return sphere_sphere({}, one.radius, periodic_.any() ? periodic_.shortest(way) : way, other.radius,
+                       models_[c.model].turns);
+}
+
 void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& space, std::span<Passed> passed) {
   auto& geometries = space.geometries;
   auto& rows = space.rows;
   for (std::uint32_t k = first; k < last; ++k) {
     const ContactState& c = state_.contacts[k];
-    geometries[k - first] = geometry(c.record.i, c.record.j, models_[c.model].turns);
+    geometries[k - first] = geometry_of(c);
     rows[k - first] = normal_row(c, geometries[k - first]);
   }
   const auto each_batch = [&](const auto& act) {

@@ -53,9 +53,15 @@ inline bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
 void Cluster::find_touching() {
   if (neighbours_.update(state_.half_positions) || walls_moved()) list_candidates();
   std::vector<ContactState> born;
+  if (workers_) {
+    touching_.resize(candidates_.size());
+    workers_->share(candidates_.size(), 64, [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t k = first; k < last; ++k) touching_[k] = touches(candidates_[k].i, candidates_[k].j) ? 1 : 0;
+    });
+  }
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
     const auto [i, j] = candidates_[k];
-    if (touches(i, j) == (closed_[k] != 0)) continue;
+    if ((workers_ ? touching_[k] != 0 : touches(i, j)) == (closed_[k] != 0)) continue;
     if (closed_[k] == 0) {
       born.push_back(begin_contact(i, j));
       closed_[k] = 1;

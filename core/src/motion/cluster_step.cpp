@@ -25,7 +25,12 @@ void Cluster::step() {
 
 void Cluster::note_start() {
   motions_.resize(state_.velocities.size());
-  for (std::size_t i = 0; i < motions_.size(); ++i) motions_[i] = {state_.velocities[i], state_.spins[i], {}, {}};
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    Motion& m = motions_[i];
+    m.velocity = state_.velocities[i], m.spin = state_.spins[i];
+    m.inverse_mass = inverse_mass_[i], m.inverse_inertia = inverse_inertia_[i];
+    if (i < radii_.size()) m.position = state_.half_positions[i], m.radius = radii_[i];
+  }
 }
 
 void Cluster::note_end() {

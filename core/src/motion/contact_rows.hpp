@@ -32,7 +32,8 @@ inline Vec3 Cluster::wall_velocity(std::uint32_t i, std::uint32_t j) const noexc
 
 RICOCHET_INNERMOST SlipMobility Cluster::slip_mobility(const ContactState& c, const ContactGeometry& g) const noexcept {
   const std::uint32_t i = c.record.i, j = c.record.j;
-  const double mi = inverse_mass_[i], mj = inverse_mass_[j], ji = inverse_inertia_[i], jj = inverse_inertia_[j];
+  const double mi = motions_[i].inverse_mass, mj = motions_[j].inverse_mass;
+  const double ji = motions_[i].inverse_inertia, jj = motions_[j].inverse_inertia;
   return {mi + mj + g.arm_i * g.arm_i * ji + g.arm_j * g.arm_j * jj, g.arm_i * ji - g.arm_j * jj, ji + jj};
 }
 
@@ -134,7 +135,7 @@ RICOCHET_INNERMOST motion::NormalRow Cluster::normal_row(const ContactState& c,
   motion::NormalRow row;
   row.overlap = g.overlap;
   row.rate = dot(motions_[i].velocity - motions_[j].velocity - swept(c, g), g.normal);
-  row.mobility = inverse_mass_[i] + inverse_mass_[j];
+  row.mobility = motions_[i].inverse_mass + motions_[j].inverse_mass;
   row.duration = silent ? 0 : options_.step;
   row.since_touch = c.fresh ? c.lag + 0.5 * options_.step : 0;
   return row;

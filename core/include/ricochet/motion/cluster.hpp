@@ -5,6 +5,7 @@
 #include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/engine/compliant_contact.hpp>
 #include <ricochet/motion/engine/surface.hpp>
+#include <ricochet/motion/engine/workers.hpp>
 #include <ricochet/motion/linked_cells.hpp>
 
 #include <cstdint>
@@ -34,6 +35,8 @@ struct ClusterOptions {
   /// Whether contacts note the phases they go through (Encounter::phase_begin) and collisions are kept for
   /// take_finished.
   bool records = true;
+  /// That share the steps which need no sweeps, in [1, 256]; no result differs by a bit from that of one.
+  int threads = 1;
 };
 
 /// The energies of a cluster [J]. `total` is constant up to the scheme's error; `lost_*` are what dashpots, clamped
@@ -187,10 +190,12 @@ class Cluster {
     bool sticks;
     double slip_fraction;
   };
-  // A body over a step.
+  // A body over a step: all that its contacts ask of it, side by side.
   struct Motion {
     Vec3 velocity, spin;          // at its start
     Vec3 velocity_mid, spin_mid;  // in its middle, foreseen; at last the mean of start and end
+    Vec3 position;                // in its middle
+    double radius = 0, inverse_mass = 0, inverse_inertia = 0;
   };
 
   void add_bodies(const ClusterSetup& setup);
@@ -240,9 +245,11 @@ class Cluster {
   void add_drag(const ContactState& c, std::int64_t sign) noexcept;
   void sum_drags() noexcept;
   bool needs_no_sweeps();
+  ContactGeometry geometry_of(const ContactState& c) const noexcept;
   void foresee() noexcept;
   void pass_at_once();
   struct Workspace;
+  void pass_range(std::size_t first, std::size_t last, std::span<Passed> passed);
   void pass_block(std::uint32_t first, std::uint32_t last, Workspace& space, std::span<Passed> passed);
   void gather(std::span<const Passed> passed) noexcept;
   void pass(ContactState& c, const ContactGeometry& g, motion::NormalRow& along, Passed& passed) noexcept;
@@ -287,6 +294,7 @@ class Cluster {
   NeighbourList neighbours_;
   std::vector<NearPair> candidates_;
   std::vector<char> closed_;                 // whether they are in contact
+  std::vector<char> touching_;               // whether they overlap now; of several threads
   std::vector<std::uint32_t> separated_;     // contacts that are to end
   std::vector<Motion> motions_;              // of bodies
   std::vector<ContactGeometry> geometries_;  // of contacts, in the middle of the step
@@ -299,6 +307,8 @@ class Cluster {
   bool has_springs_ = false;
   std::vector<Vec3> field_forces_;
   std::vector<Encounter> finished_;
+  std::unique_ptr<motion::Workers> workers_;  // where there are several
+  std::vector<Passed> passed_;                // theirs
   std::size_t rebuilds_ = 0;
   int sweeps_ = 0;
   bool converged_ = true;
