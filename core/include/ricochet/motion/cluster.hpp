@@ -90,7 +90,7 @@ struct Breakthrough {
 /// impulse at its contact point, so momentum and angular momentum are conserved to rounding, whatever the step and the
 /// laws. Impulses are implicit in the contact's own velocities: R by the midpoint rule on the step's mean velocity,
 /// friction as in friction_impulse, or by springs as in engine/compliant_contact.hpp. Where all contacts are smooth or
-/// have springs, and the step resolves their dashpots (½h Σc/m ≤ 1/4 of each sphere), a contact takes of the others what
+/// have springs, and the step resolves their dashpots (½h Σc/m ≤ 1/4 of each sphere), a contact takes of others what
 /// they passed in the last step: once through all contacts, linear in their number. Else impulses are found together by
 /// sweeps. A contact takes 288 bytes (ContactState), its law's memory and 8 bytes a pair of the neighbour list; sweeps
 /// take some 900 more.
