@@ -102,9 +102,10 @@ int main(int argc, char** argv) {
     const Asked asked{folder, resume, format == "vtk" ? simulate::Format::vtk : simulate::Format::xyz};
     const int signal = run_and_show(scene, asked, view);
     if (signal == 0) return console::Exit::done;
-    console::complain("simulate", fmt::format("stopped, all written; go on with: {} {} -o {} --resume",
-                                              console::run_as(app.get_name()), console::shell_word(file),
-                                              console::shell_word(folder)));
+    console::complain(
+        "simulate", fmt::format("stopped, all written; go on with: {} {} -o {} --resume{}",
+                                console::run_as(app.get_name()), console::shell_word(file), console::shell_word(folder),
+                                page.empty() ? "" : " --view " + console::shell_word(page)));
     console::end_by(signal);
   });
 }
