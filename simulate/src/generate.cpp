@@ -21,7 +21,7 @@ namespace {
 using console::Node;
 using console::significant;
 
-constexpr std::uint64_t most_spheres = 100'000'000;
+constexpr std::uint64_t most_spheres = 10'000'000;
 constexpr int most_tries = 20'000;    // for the place of one sphere
 constexpr double densest_pour = 0.4;  // random places without overlap fill 0.38 of a large region at most
 
