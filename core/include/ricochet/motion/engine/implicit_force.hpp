@@ -65,4 +65,16 @@ inline AffineForce implicit_force(const FractionalHertzArms& law, Approach befor
   return {force_after(law, before, at, memory, dt), law.rate_gain(dt, at.overlap)};
 }
 
+/// Whether the slope of a law is the same in every contact.
+template <class Law>
+inline constexpr bool constant_slope = false;
+template <>
+inline constexpr bool constant_slope<Linear> = true;
+template <>
+inline constexpr bool constant_slope<Hysteretic> = true;
+template <ArmsLaw Law>
+inline constexpr bool constant_slope<Law> = true;
+template <>
+inline constexpr bool constant_slope<FractionalHertzArms> = false;
+
 }  // namespace ricochet::motion
