@@ -15,6 +15,8 @@ template <class... F>
 struct Cases : F... {
   using F::operator()...;
 };
+template <class... F>
+Cases(F...) -> Cases<F...>;
 
 double cube(double x) { return x * x * x; }
 

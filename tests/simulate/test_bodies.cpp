@@ -1,8 +1,10 @@
 // Walls of every form, periodic space, starts, and spheres that come and go: from the scene to the files.
 #include <catch2/catch.hpp>
 #include <console/exit.hpp>
+#include <console/json.hpp>
 #include <simulate/run.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -256,7 +258,15 @@ TEST_CASE("spheres are poured over time and leave by an outlet, and the balance 
   CHECK(rows.back()[10] > 0);
   const std::string contacts = read_file(folder.path / "contacts.csv");
   CHECK(contacts.find("funnel") != std::string::npos);
-  CHECK(fs::exists(folder.path / "vtk/spheres.000100.vtk"));
+  const console::Json series = console::Json::parse(read_file(folder.path / "vtk/spheres.vtk.series"));
+  REQUIRE(series.at("files").size() == 101);
+  CHECK(series.at("files").at(100).at("name") == "spheres.000100.vtk");
+  CHECK(series.at("files").at(100).at("time").get<double>() == Approx(0.12));
+  // Each of those there at the end has its line in every part of the frame.
+  const auto there = static_cast<std::size_t>(rows.back()[11]);
+  const std::string frame = read_file(folder.path / "vtk/spheres.000100.vtk");
+  CHECK(frame.find("POINTS " + std::to_string(there) + " double") != std::string::npos);
+  CHECK(static_cast<std::size_t>(std::count(frame.begin(), frame.end(), '\n')) == 8 + 1 + 1 + 8 + 2 + 8 * there);
 }
 
 TEST_CASE("a run that pours and loses spheres goes on to the same bytes wherever it was stopped") {
