@@ -109,16 +109,18 @@ void Cluster::remove(std::span<const std::uint32_t> leaving) {
       if (place[i] != gone) values[place[i]] = values[i];
     values.resize(values.size() - leaving.size());
   };
-  std::erase_if(state_.contacts, [&](ContactState& c) {
-    const bool ends = place[c.record.i] == gone || place[c.record.j] == gone;
-    if (ends) {
+  std::vector<ContactState> lasting;
+  lasting.reserve(state_.contacts.size());
+  for (ContactState& c : state_.contacts) {
+    if (place[c.record.i] == gone || place[c.record.j] == gone) {
       models_[c.model].normal->forget(c);
       finished_.push_back(c.record);
-    } else {
-      c.record.i = place[c.record.i], c.record.j = place[c.record.j];
+      continue;
     }
-    return ends;
-  });
+    c.record.i = place[c.record.i], c.record.j = place[c.record.j];
+    lasting.push_back(c);
+  }
+  state_.contacts = std::move(lasting);
   for (auto* const of_bodies : {&inverse_mass_, &inverse_inertia_, &radii_, &masses_, &inertias_}) close_up(*of_bodies);
   for (auto* const of_bodies :
        {&state_.half_positions, &state_.velocities, &state_.spins, &state_.velocity_gains, &state_.spin_gains})
