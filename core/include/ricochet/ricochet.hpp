@@ -8,6 +8,7 @@
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/fractional_contact_table.hpp>
 #include <ricochet/collision/instant.hpp>
+#include <ricochet/collision/loaded.hpp>
 #include <ricochet/collision/oblique.hpp>
 #include <ricochet/collision/peer_damping.hpp>
 #include <ricochet/collision/power_law_sphere.hpp>
