@@ -1,13 +1,18 @@
 #include <simulate/run.hpp>
+#include <simulate/view.hpp>
 
 #include <console/exit.hpp>
 #include <console/input.hpp>
 #include <console/number.hpp>
+#include <console/output.hpp>
 #include <console/program.hpp>
 #include <console/signals.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include <optional>
+#include <string>
 
 namespace {
 
@@ -23,6 +28,38 @@ void announce(const simulate::Scene& scene) {
   if (!scene.remark.empty()) console::complain("simulate", scene.remark);
 }
 
+/// The page that --view names: it can be written before the run begins, and is whatever comes of the run.
+class View {
+ public:
+  View(const std::string& scene_file, const std::string& path) {
+    if (path.empty()) return;
+    console::require_apart({{{"SCENE", scene_file}}}, {{{"--view", path}}});
+    file_.emplace(path);
+  }
+  void write(const simulate::Scene& scene, const std::string& folder) {
+    if (!file_) return;
+    file_->write(simulate::view_page(scene, folder));
+    file_->commit();
+  }
+
+ private:
+  std::optional<console::AtomicFile> file_;
+};
+
+int run_and_show(const simulate::Scene& scene, const std::string& folder, bool resume, View& view) {
+  int signal = 0;
+  try {
+    signal = simulate::run(scene, folder, resume, [&] { announce(scene); });
+  } catch (const console::CannotWrite&) {
+    throw;
+  } catch (const console::Failed&) {
+    view.write(scene, folder);  // where a run broke down is worth a look
+    throw;
+  }
+  view.write(scene, folder);
+  return signal;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -32,7 +69,7 @@ int main(int argc, char** argv) {
       "docs/scenes.md describes scene files; data/scenes/ holds some.",
       "simulate"};
   console::add_version(app);
-  std::string file, folder;
+  std::string file, folder, page;
   bool resume = false;
   app.footer(
       "Exit code 0: done; 2: bad input; 4: the computation, or writing its result, failed; 130: interrupted, all "
@@ -40,9 +77,12 @@ int main(int argc, char** argv) {
   app.add_option("SCENE", file, "the scene file (JSON)")->required();
   app.add_option("-o,--output", folder, "the folder to write to, made if missing")->required();
   app.add_flag("--resume", resume, "go on with an interrupted run in that folder");
+  app.add_option("--view", page,
+                 "also write a page that plays the run, for a browser; with --resume, of a finished run nothing else");
   return console::run_program(app, argc, argv, [&] {
     const simulate::Scene scene = simulate::read_scene(file, console::read_input(file));
-    const int signal = simulate::run(scene, folder, resume, [&] { announce(scene); });
+    View view(file, page);
+    const int signal = run_and_show(scene, folder, resume, view);
     if (signal == 0) return console::Exit::done;
     console::complain("simulate", fmt::format("stopped, all written; go on with: {} {} -o {} --resume",
                                               console::run_as(app.get_name()), console::shell_word(file),

@@ -163,7 +163,7 @@ std::string html_code(std::string_view id, std::string_view label, std::string_v
       fmt::arg("label", escaped(label)), fmt::arg("id", id), fmt::arg("text", escaped(text)));
 }
 
-std::string html_page(std::string_view title, std::string_view body) {
+std::string html_page(std::string_view title, std::string_view body, const PageParts& own) {
   return fmt::format(R"(<!doctype html>
 <html lang="en">
 <head>
@@ -172,15 +172,15 @@ std::string html_page(std::string_view title, std::string_view body) {
 <meta name="generator" content="Ricochet">
 <link rel="icon" href="data:,">
 <title>{}</title>
-<style>{}</style>
+<style>{}{}</style>
 </head>
 <body>
 <a class="skip" href="#content">Skip to the content</a>
-{}<script>{}</script>
+{}<script>{}{}</script>
 </body>
 </html>
 )",
-                     escaped(title), page_style, body, page_script);
+                     escaped(title), page_style, own.style, body, page_script, own.script);
 }
 
 }  // namespace ricochet::console

@@ -230,8 +230,8 @@ Scene read_scene(const std::string& file, const std::string& text) {
   root.allow({"schema", "title", "duration", "output_interval", "step", "gravity", "materials", "interactions",
               "spheres", "walls", "boxes", "reclosing"});
   if (root.has("schema")) root.at("schema").one_of({"ricochet/scene/1"});
-  if (root.has("title")) root.at("title").text();
   Scene scene;
+  if (root.has("title")) scene.title = root.at("title").text();
   const Materials materials = read_materials(root.at("materials"));
   ByPair by_pair;
   scene.setup.interactions = read_interactions(root.at("interactions"), materials, by_pair);

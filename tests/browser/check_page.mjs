@@ -5,26 +5,17 @@
 // light or dark. MODULES holds node_modules; SHOTS, if given, receives screenshots.
 
 import {existsSync, mkdtempSync, rmSync} from 'node:fs';
-import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
-import {basename, dirname, join, resolve} from 'node:path';
+import {basename, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
+import {axe_file, browser_path, load_playwright, quiet} from './launch.mjs';
+
 const [page_file, modules, shots] = process.argv.slice(2);
-const require = createRequire(pathToFileURL(join(resolve(modules), 'package.json')));
-const {chromium} = require('playwright-core');
+const {chromium} = load_playwright(modules);
 const address = pathToFileURL(resolve(page_file)).href;
 const found = [];
 const report = (what, detail) => found.push(`${what}: ${detail}`);
-
-const quiet = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync'];
-const browser_path = process.env.CHROMIUM ??
-  ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(path => existsSync(path));
-if (!browser_path) {
-  console.error('no Chromium found: install the package chromium, or name it in the variable CHROMIUM');
-  process.exit(1);
-}
 
 async function check_links(page) {
   const broken = await page.evaluate(() => {
@@ -87,7 +78,8 @@ let pages = 0;
 try {
   for (const scheme of ['light', 'dark']) {
     const context = await chromium.launchPersistentContext(join(profile, scheme), {
-      executablePath: browser_path, headless: true, args: quiet, colorScheme: scheme,
+      executablePath: browser_path(), headless: true, colorScheme: scheme,
+      args: [...quiet, '--disable-gpu', '--disable-3d-apis'],
       viewport: {width: 1440, height: 900}, permissions: ['clipboard-read', 'clipboard-write']});
     const page = await context.newPage();
     page.on('console', message => {
@@ -115,7 +107,7 @@ try {
       ++pages;
     }
     await page.setViewportSize({width: 1440, height: 900});
-    await page.addScriptTag({path: join(dirname(require.resolve('axe-core')), 'axe.min.js')});
+    await page.addScriptTag({path: axe_file(modules)});
     await check_axe(page, scheme);
     await context.close();
   }

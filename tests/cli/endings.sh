@@ -22,6 +22,7 @@ awk 'BEGIN {
     printf "%s,%.7g,%.7g\n", law[i % 4 + 1], 0.01 + 0.98 * (i * 7919 % 100003) / 100003, 1e-6 * (1 + i % 1000)
 }' >rows.csv
 ln -s "$source" source
+simulate source/data/scenes/five_spheres_weak.json -o finished 2>/dev/null
 
 # Every way in which a program makes files: each line runs in this folder and writes into out/ only.
 commands=(
@@ -33,6 +34,7 @@ commands=(
   'calibrate --targets rows.csv -o out/rows_out.csv'
   'verify table1 --format markdown -o out/study.md'
   'verify figures --figures out -o out/study.txt'
+  'simulate source/data/scenes/five_spheres_weak.json -o finished --resume --view out/run.html'
 )
 
 # as_before / as_new: out/ is byte for byte the folder of that name.

@@ -42,8 +42,13 @@ std::string html_figure(const Figure& figure, const std::string& svg, const std:
 /// Preformatted text with a button that copies it; `label` says what it is.
 std::string html_code(std::string_view id, std::string_view label, std::string_view text);
 
+/// What a page has besides the style and the script of all pages.
+struct PageParts {
+  std::string_view style = {}, script = {};
+};
+
 /// A whole document that loads nothing: styles (light, dark, print) and the few lines of script for copying are in it.
 /// `title` is text, `body` HTML.
-std::string html_page(std::string_view title, std::string_view body);
+std::string html_page(std::string_view title, std::string_view body, const PageParts& own = {});
 
 }  // namespace ricochet::console

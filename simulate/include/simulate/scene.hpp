@@ -10,6 +10,7 @@ namespace ricochet::simulate {
 
 /// A scene file, read and checked: docs/scenes.md says what it holds.
 struct Scene {
+  std::string title;  ///< as the file gives it; mostly empty
   ClusterSetup setup;
   ClusterOptions options;          ///< with the step chosen
   std::uint64_t steps = 0;         ///< that the run takes
