@@ -21,6 +21,9 @@ constexpr double accuracy = 1e-8;
 /// Not parting is taking too long.
 constexpr double never = 1e3;
 
+/// Collisions that the roots may ask for; some hundred are enough where there are any.
+constexpr std::size_t most_collisions = 400;
+
 /// A law in the units of the target under the load in those units.
 class Loaded {
  public:
@@ -29,12 +32,13 @@ class Loaded {
   /// The collision of that loss whose stiffness makes it take 1; none where no stiffness does.
   Collision at(double loss) {
     const auto late = [&](double scale) {
-      ++evaluations_;
+      if (++evaluations_ > most_collisions) return never;
       const Collision out = unit_collision(law_, {scale, loss}, ContactEnd::force, load_);
       return out.separated() ? std::log(out.tcol) : never;
     };
     double low = scale_, high = scale_, at_low = late(scale_), at_high = at_low;
-    constexpr double farthest = 60;
+    if (evaluations_ > most_collisions) return {};
+    constexpr double farthest = 15;
     for (double step = 0.5; at_low <= 0 && scale_ - low < farthest; step *= 1.6) {
       high = low, at_high = at_low;
       low -= step, at_low = late(low);

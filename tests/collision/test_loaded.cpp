@@ -61,6 +61,14 @@ TEST_CASE("A load moves the linear law as its closed form says") {
     }
 }
 
+TEST_CASE("A load changes nothing of the hysteretic law's restitution") {
+  // Up (k1 z - N)^2 = N^2 + m k1 v^2, and back the same with k2: e = sqrt(k1/k2) at any load and speed.
+  const Hysteretic law(stiffness, 4 * stiffness);
+  for (const double p : {0.1, 1.0, 5.0})
+    CHECK(collide_under_load(law, impact, load_of(p)).en == Approx(0.5).epsilon(1e-8));
+  CHECK(least_speed_to_part(law, impact.mass_eff, load_of(1)) == 0);
+}
+
 TEST_CASE("Without a load nothing changes") {
   const Tsuji tsuji(1e7, 20);
   CHECK(collide_under_load(tsuji, impact, 0).en == Approx(collide(tsuji, impact).en).epsilon(1e-9));

@@ -17,6 +17,7 @@
 #include <ricochet/collision/scale_and_loss.hpp>
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
 #include <ricochet/collision/solvers/hertzian_forms.hpp>
+#include <ricochet/collision/solvers/permanent_contact.hpp>
 #include <ricochet/collision/solvers/sphere_elements.hpp>
 #include <ricochet/collision/tangential_restitution.hpp>
 #include <ricochet/collision/trace.hpp>

@@ -66,12 +66,13 @@ MemoryKernel loaded_kernel(double alpha, double tcol, std::size_t most_arms) {
 
 /// Bisection in ln v between the nearest powers of 2 that do and do not part.
 double speed_to_part(const std::function<bool(double)>& parts, double guess) {
-  constexpr int farthest = 16;  // past it is rounding
+  constexpr int least = -7, greatest = 16;  // below 1/128 of it a grazing force is not told from one that stays
   const auto at = [&](double step) { return guess * std::exp2(step); };
   int step = 0;
   const bool first = parts(guess);
-  while (std::abs(step) < farthest && parts(at(step)) == first) step += first ? -1 : 1;
-  if (std::abs(step) == farthest) return first ? 0 : std::numeric_limits<double>::infinity();
+  while (step > least && step < greatest && parts(at(step)) == first) step += first ? -1 : 1;
+  if (step == least) return 0;
+  if (step == greatest) return std::numeric_limits<double>::infinity();
   double low = first ? step : step - 1, high = low + 1;
   while (high - low > 5e-4) {
     const double middle = 0.5 * (low + high);

@@ -16,7 +16,7 @@ namespace ricochet {
 /// group. That R is 0 does not mean that the load leaves the bodies apart: `clears` tells.
 ///
 /// Any law but the fractional: generic `collide`, the load in the momentum of each step. Error: that of `collide`, times
-/// 1 + N t_col/(m v₀). Laws that remember all are followed on Maxwell arms, of 1e-8 from t_col/300 on: error 1e-5.
+/// 1 + N t_col/(m v₀), which is to be below 100: beyond, whether R grazes 0 is not told. Laws that remember all are followed on Maxwell arms, of 1e-8 from t_col/300 on: error 1e-5.
 /// Throws std::invalid_argument as `collide`, and for a load that is negative or not finite.
 template <ContactLaw Law>
 Collision collide_under_load(const Law& law, const Impact& impact, double load, const CollideOptions& options = {});
@@ -74,7 +74,8 @@ Collision collide_under_load(const Law& law, const Impact& impact, double load, 
 bool clears(const Collision& out, const Impact& impact, double load);
 
 /// The speed [m/s] below which the bodies do not come off under that load > 0: there e_n stops being defined. To three
-/// digits. 0 where they part at any speed (no loss), infinite where at none. Throws as collide_under_load.
+/// digits. 0 where they still part at N t_col/(128 m), t_col that without a load, as they do at any speed where nothing is
+/// lost or the law is hysteretic; infinite where they part at none. Throws as collide_under_load.
 double least_speed_to_part(const AnyLaw& law, double mass_eff, double load);
 
 }  // namespace ricochet
