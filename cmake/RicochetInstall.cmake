@@ -1,4 +1,5 @@
-# `cmake --install`: the library with its headers and CMake package, the programs, their data and the licence.
+# `cmake --install`: the library with its headers, CMake package and pkg-config file, the programs with manual pages and
+# completions, their data and the licence. `cpack -G DEB` makes a Debian package of it.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -23,3 +24,51 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/ricochetConfig.cmake.in 
 write_basic_package_version_file(ricochetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ricochetConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/ricochetConfigVersion.cmake
   DESTINATION ${package_folder})
+
+# pkg-config, from wherever the prefix is moved to.
+file(RELATIVE_PATH prefix_from_pkgconfig ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/ricochet.pc.in ricochet.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ricochet.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# What the programs say of themselves, by the options that they have.
+set(described ${PROJECT_BINARY_DIR}/described)
+function(ricochet_describe program)
+  set(files)
+  foreach(kind man-page bash zsh fish)
+    set(file ${described}/${program}.${kind})
+    set(asked --completion ${kind})
+    if(kind STREQUAL man-page)
+      set(asked --man-page)
+    endif()
+    add_custom_command(OUTPUT ${file} COMMAND ${program} ${asked} > ${file} DEPENDS ${program} VERBATIM)
+    list(APPEND files ${file})
+  endforeach()
+  add_custom_target(describe_${program} ALL DEPENDS ${files})
+  install(FILES ${described}/${program}.man-page DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME ${program}.1)
+  install(FILES ${described}/${program}.bash
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${program})
+  install(FILES ${described}/${program}.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
+    RENAME _${program})
+  install(FILES ${described}/${program}.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+    RENAME ${program}.fish)
+endfunction()
+file(MAKE_DIRECTORY ${described})
+foreach(program calibrate verify simulate)
+  if(TARGET ${program})
+    ricochet_describe(${program})
+  endif()
+endforeach()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_VENDOR "The Ricochet developers")
+set(CPACK_PACKAGE_CONTACT "The Ricochet developers")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# The figures; and what a user's own program needs who links the library.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, g++, libboost-dev, libeigen3-dev, libgsl-dev")
+include(CPack)

@@ -22,7 +22,7 @@ void announce(const simulate::Scene& scene) {
   const double tcol = scene.stiffest.tcol;
   const std::string shortest =
       tcol > 0 ? fmt::format(", the shortest collision takes about {} s", console::significant(tcol, 3)) : "";
-  console::complain("simulate", fmt::format("{} spheres, {} walls, {} steps of {} s{}", scene.setup.spheres.size(),
+  console::complain("simulate", fmt::format("{} spheres, {} walls, {} steps of {} s{}", scene.sphere_count(),
                                             scene.setup.walls.size(), scene.steps,
                                             console::significant(scene.options.step, 4), shortest));
   if (!scene.remark.empty()) console::complain("simulate", scene.remark);
@@ -46,17 +46,24 @@ class View {
   std::optional<console::AtomicFile> file_;
 };
 
-int run_and_show(const simulate::Scene& scene, const std::string& folder, bool resume, View& view) {
+struct Asked {
+  std::string folder;
+  bool resume;
+  simulate::Format format;
+};
+
+int run_and_show(const simulate::Scene& scene, const Asked& asked, View& view) {
   int signal = 0;
   try {
-    signal = simulate::run(scene, folder, resume, [&] { announce(scene); });
+    signal = simulate::run(
+        scene, asked.folder, asked.resume, [&] { announce(scene); }, asked.format);
   } catch (const console::CannotWrite&) {
     throw;
   } catch (const console::Failed&) {
-    view.write(scene, folder);  // where a run broke down is worth a look
+    view.write(scene, asked.folder);  // where a run broke down is worth a look
     throw;
   }
-  view.write(scene, folder);
+  view.write(scene, asked.folder);
   return signal;
 }
 
@@ -71,22 +78,29 @@ int main(int argc, char** argv) {
   console::add_version(app);
   std::string file, folder, page;
   bool resume = false;
+  std::string format = "xyz";
   app.footer(
       "Exit code 0: done; 2: bad input; 4: the computation, or writing its result, failed; 130: interrupted, all "
       "written.");
   app.add_option("SCENE", file, "the scene file (JSON)")->required();
   app.add_option("-o,--output", folder, "the folder to write to, made if missing")->required();
   app.add_flag("--resume", resume, "go on with an interrupted run in that folder");
+  app.add_option("--format", format,
+                 "xyz, or vtk: a file a frame for ParaView as well, in DIR/vtk; a resumed run keeps its own")
+      ->check(CLI::IsMember({"xyz", "vtk"}))
+      ->capture_default_str();
   app.add_option("--view", page,
                  "also write a page that plays the run, for a browser; with --resume, of a finished run nothing else");
   return console::run_program(app, argc, argv, [&] {
     const simulate::Scene scene = simulate::read_scene(file, console::read_input(file));
     View view(file, page);
-    const int signal = run_and_show(scene, folder, resume, view);
+    const Asked asked{folder, resume, format == "vtk" ? simulate::Format::vtk : simulate::Format::xyz};
+    const int signal = run_and_show(scene, asked, view);
     if (signal == 0) return console::Exit::done;
-    console::complain("simulate", fmt::format("stopped, all written; go on with: {} {} -o {} --resume",
-                                              console::run_as(app.get_name()), console::shell_word(file),
-                                              console::shell_word(folder)));
+    console::complain(
+        "simulate", fmt::format("stopped, all written; go on with: {} {} -o {} --resume{}",
+                                console::run_as(app.get_name()), console::shell_word(file), console::shell_word(folder),
+                                page.empty() ? "" : " --view " + console::shell_word(page)));
     console::end_by(signal);
   });
 }

@@ -1,5 +1,6 @@
 #include "command_line.hpp"
 
+#include <console/manual.hpp>
 #include <console/number.hpp>
 #include <console/output.hpp>
 #include <console/program.hpp>
@@ -19,6 +20,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <string_view>
 #include <system_error>
 
 namespace ricochet::console {
@@ -62,7 +64,24 @@ void require_texts(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands()) require_texts(*command);
 }
 
+/// What packages ask a program for, in words that --help leaves out: --man-page, and --completion SHELL. False for any
+/// other command line.
+bool describes_itself(const CLI::App& app, int argc, const char* const* argv) {
+  const std::string_view asked = argc > 1 ? argv[1] : "";
+  if (asked == "--man-page" && argc == 2) {
+    write_stdout(man_page(app));
+    return true;
+  }
+  if (asked != "--completion") return false;
+  const std::string shell = argc == 3 ? argv[2] : "";
+  const auto text = completion(app, shell);
+  if (!text) throw BadInput("--completion", shell.empty() ? "''" : shell, "bash, zsh or fish");
+  write_stdout(*text);
+  return true;
+}
+
 Exit parse_and_run(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body) {
+  if (describes_itself(app, argc, argv)) return Exit::done;
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

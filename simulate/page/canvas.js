@@ -1,10 +1,10 @@
 // The same picture on a plain canvas, for browsers without WebGL 2: walls, then spheres from the farthest to the
-// nearest, each a shaded disc as large as its outline.
+// nearest, each a shaded disc as large as its outline; thousands of them by raster.js.
 
 function makeCanvas(canvas) {
   const pen = canvas.getContext('2d', {alpha: false});
-  const edge = 64;
-  let sprites = [], shownTable = null;
+  const edge = 64, many = 2000, raster = makeRaster();
+  let sprites = [], shownTable = null; // one for each colour in use
   let x, y, depth, outline, order;
 
   const sprite = (table, k) => {
@@ -44,17 +44,22 @@ function makeCanvas(canvas) {
       outline[i] = focal * size / Math.sqrt(away * away - size * size);
       order[shown++] = i;
     }
-    return order.subarray(0, shown).sort((a, b) => depth[b] - depth[a]);
+    return order.subarray(0, shown);
   };
   const drawSpheres = (seen, picture, focal) => {
     if (shownTable !== picture.table) sprites = [], shownTable = picture.table;
-    for (const i of projectSpheres(seen, picture, focal)) {
+    const seenSpheres = projectSpheres(seen, picture, focal), quick = seenSpheres.length > many;
+    seenSpheres.sort(quick ? (a, b) => depth[a] - depth[b] : (a, b) => depth[b] - depth[a]);
+    if (quick) raster.prepare(canvas.width, canvas.height);
+    for (const i of seenSpheres) {
       const r = outline[i];
       if (x[i] + r < 0 || y[i] + r < 0 || x[i] - r > canvas.width || y[i] - r > canvas.height) continue;
       const tone = picture.toneBefore[i] + picture.between * (picture.toneAfter[i] - picture.toneBefore[i]);
       const k = Math.round(255 * clamp(tone, 0, 1) - (picture.byName ? 0.5 : 0));
-      pen.drawImage(sprites[k] ??= sprite(picture.table, k), x[i] - r, y[i] - r, 2 * r, 2 * r);
+      if (quick) raster.put(x[i], y[i], r, depth[i], picture.radius[i] * picture.swell, picture.table[k]);
+      else pen.drawImage(sprites[k] ??= sprite(picture.table, k), x[i] - r, y[i] - r, 2 * r, 2 * r);
     }
+    if (quick) pen.drawImage(raster.sheet(), 0, 0);
   };
   const drawLines = ({right, up, back, eye, near}, values, length, ink, focal) => {
     const view = k => {
@@ -77,7 +82,7 @@ function makeCanvas(canvas) {
   };
 
   return {
-    name: 'a plain canvas, as this browser has no WebGL 2',
+    name: 'a plain canvas, as this browser has no WebGL 2, or none that is quick',
     draw(seen, picture) {
       const focal = canvas.height / (2 * seen.tangent);
       pen.fillStyle = css(picture.ground);

@@ -6,7 +6,7 @@ function startPlayer() {
   const camera = makeCamera(facts.up, motion.corners), picture = makePicture(motion);
   const colourings = makeColourings(motion);
   const at = id => document.getElementById(id);
-  let stage = at('stage'), renderer = makeWebgl(stage);
+  let stage = at('stage'), renderer = makeWebgl(stage, motion.most > 2000);
   const state = {moment: 0, playing: false, colour: 'speed', contacts: false, walls: true, rate: 1};
   let due = false, lastTick = 0;
 

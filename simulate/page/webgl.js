@@ -68,10 +68,17 @@ function makeProgram(gl, vertex, fragment) {
   };
 }
 
-/// A renderer by WebGL 2, or null where the browser has none.
-function makeWebgl(canvas) {
-  const gl = canvas.getContext('webgl2', {antialias: true, alpha: false});
-  if (!gl || gl.isContextLost()) return null;
+/// Does the main processor do a graphics card's work? Then thousands of spheres take it seconds.
+function inSoftware(gl) {
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = gl.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER);
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
+/// A renderer by WebGL 2, or null where the browser has none, or, of `many` spheres, none but in software.
+function makeWebgl(canvas, many) {
+  const gl = canvas.getContext('webgl2', {antialias: true, alpha: false, failIfMajorPerformanceCaveat: many});
+  if (!gl || gl.isContextLost() || (many && inSoftware(gl))) return null;
   const spheres = makeProgram(gl, sphereVertex, sphereFragment), lines = makeProgram(gl, lineVertex, lineFragment);
   if (!spheres || !lines) return null;
   const buffers = {}, held = {};

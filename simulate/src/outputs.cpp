@@ -1,5 +1,7 @@
 #include "outputs.hpp"
 
+#include "start.hpp"
+
 #include <console/exit.hpp>
 #include <console/number.hpp>
 #include <console/output.hpp>
@@ -27,34 +29,51 @@ std::string finite_or_empty(double value) { return std::isfinite(value) ? shorte
 
 }  // namespace
 
+Vec3 in_cell(const Scene& scene, Vec3 x) {
+  for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z})
+    if (const double period = scene.setup.periodic.period.*axis; period > 0) {
+      x.*axis -= period * std::floor((x.*axis - scene.cell_low.*axis) / period);
+      if (!(x.*axis < scene.cell_high.*axis)) x.*axis = scene.cell_low.*axis;  // by rounding
+    }
+  return x;
+}
+
 // The property names that OVITO maps to particle properties by itself.
-std::string frame_xyz(const Scene& scene, const Cluster& cluster) {
-  std::string frame = fmt::format(R"({}
-Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:velo:R:3:angular_velocity:R:3 Time={} pbc="F F F"
+std::string frame_xyz(const Scene& scene, const Roster& roster, const Cluster& cluster) {
+  const Vec3 cell = scene.cell_high - scene.cell_low, period = scene.setup.periodic.period;
+  const auto repeats = [](double along) { return along > 0 ? "T" : "F"; };
+  std::string frame = fmt::format(
+      R"({}
+Lattice="{} 0 0 0 {} 0 0 0 {}" Origin="{}" Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:velo:R:3:{} Time={} {}
 )",
-                                  cluster.size(), shortest(cluster.time()));
+      cluster.size(), shortest(cell.x), shortest(cell.y), shortest(cell.z), spelled(scene.cell_low),
+      "angular_velocity:R:3:id:I:1", shortest(cluster.time()),
+      fmt::format(R"(pbc="{} {} {}")", repeats(period.x), repeats(period.y), repeats(period.z)));
   for (std::size_t i = 0; i < cluster.size(); ++i) {
-    const Sphere& s = scene.setup.spheres[i];
-    frame += fmt::format("m{} {} {} {} {} {}\n", s.material, spelled(cluster.position(i)), shortest(s.radius),
-                         shortest(s.mass()), spelled(cluster.velocity(i)), spelled(cluster.spin(i)));
+    const Sphere& s = roster.sphere(i);
+    frame += fmt::format("{} {} {} {} {} {} {}\n", species(roster.material(i)),
+                         spelled(in_cell(scene, cluster.position(i))), shortest(s.radius), shortest(s.mass()),
+                         spelled(cluster.velocity(i)), spelled(cluster.spin(i)), roster.name(i));
   }
   return frame;
 }
 
 std::string energy_header() {
-  return "t [s],kinetic [J],gravity [J],stored [J],lost_normal [J],lost_friction [J],total [J],contacts,strained [J]\n";
+  return "t [s],kinetic [J],gravity [J],stored [J],lost_normal [J],lost_friction [J],total [J],contacts,strained [J],"
+         "walls [J],brought [J],spheres\n";
 }
 
 std::string energy_row(const Cluster& cluster) {
   const ClusterEnergy e = cluster.energy();
-  return fmt::format("{},{},{},{},{},{},{},{},{}\n", shortest(cluster.time()), shortest(e.kinetic), shortest(e.gravity),
-                     shortest(e.stored), shortest(e.lost_normal), shortest(e.lost_friction), shortest(e.total()),
-                     cluster.contacts().size(), shortest(e.strained));
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", shortest(cluster.time()), shortest(e.kinetic),
+                     shortest(e.gravity), shortest(e.stored), shortest(e.lost_normal), shortest(e.lost_friction),
+                     shortest(e.total()), cluster.contacts().size(), shortest(e.strained), shortest(e.wall_work),
+                     shortest(e.brought), cluster.size());
 }
 
 std::string contact_header() { return "i,j,t_begin [s],t_end [s],t_separation [s],ended,phases\n"; }
 
-std::string contact_row(const Scene& scene, const Encounter& e) {
+std::string contact_row(const Roster& roster, const Encounter& e) {
   std::array<std::size_t, phase_count> order{};
   for (std::size_t k = 0; k < phase_count; ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return e.phase_begin[a] < e.phase_begin[b]; });
@@ -62,7 +81,7 @@ std::string contact_row(const Scene& scene, const Encounter& e) {
   for (std::size_t k : order)
     if (std::isfinite(e.phase_begin[k]))
       phases.push_back(fmt::format("{} {}", name(static_cast<Phase>(k)), shortest(e.phase_begin[k])));
-  return fmt::format("{},{},{},{},{},{},{}\n", scene.body_names[e.i], scene.body_names[e.j], shortest(e.begin),
+  return fmt::format("{},{},{},{},{},{},{}\n", roster.name(e.i), roster.name(e.j), shortest(e.begin),
                      finite_or_empty(e.end), finite_or_empty(e.separation), name(e.how), fmt::join(phases, "; "));
 }
 

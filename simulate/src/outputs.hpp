@@ -1,6 +1,6 @@
 #pragma once
 
-#include <simulate/scene.hpp>
+#include "roster.hpp"
 
 #include <array>
 #include <cstdint>
@@ -9,9 +9,12 @@
 
 namespace ricochet::simulate {
 
-std::string frame_xyz(const Scene& scene, const Cluster& cluster);  ///< one frame of extended XYZ
+/// A place brought back into the cell where space repeats itself.
+Vec3 in_cell(const Scene& scene, Vec3 position);
+/// One frame of extended XYZ.
+std::string frame_xyz(const Scene& scene, const Roster& roster, const Cluster& cluster);
 std::string energy_row(const Cluster& cluster);
-std::string contact_row(const Scene& scene, const Encounter& encounter);
+std::string contact_row(const Roster& roster, const Encounter& encounter);
 std::string energy_header();
 std::string contact_header();
 

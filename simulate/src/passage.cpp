@@ -24,17 +24,35 @@ double depth(const Interaction& interaction, double mass, double speed) {
 class Flights {
  public:
   Flights(const Node& root, const Scene& scene)
-      : spheres_(root.at("spheres")), setup_(scene.setup), duration_(root.at("duration").positive()) {}
+      : root_(root),
+        scene_(scene),
+        setup_(scene.setup),
+        duration_(root.at("duration").positive()),
+        insists_(root.has("insist") && root.at("insist").yes_or_no()) {}
 
   std::string remark;
 
   void at_wall(std::size_t i, std::size_t w) {
     const Sphere& s = setup_.spheres[i];
-    const Wall& wall = setup_.walls[w];
-    const Vec3 normal = wall.inward / norm(wall.inward);
-    const double speed = -dot(s.velocity, normal), gap = dot(s.position - wall.point, normal) - s.radius;
-    if (!(speed > 0) || gap > speed * duration_) return;
-    judge(i, fmt::format("wall{}", w + 1), speed, depth(law_of(s.material, wall.material), s.mass(), speed), s.radius);
+    const motion::Surface wall(setup_.walls[w]);
+    const Vec3 flight = s.velocity - setup_.walls[w].motion.velocity;
+    const double fastest = norm(flight);
+    if (!(fastest > 0)) return;
+    // From place to place: as far as the surface is, nobody can meet it before.
+    constexpr int most_places = 100;
+    double when = 0;
+    for (int k = 0; k < most_places; ++k) {
+      const ContactGeometry g = wall.meet(s.position + when * flight, s.radius, 0);
+      const double speed = dot(flight, g.normal);
+      if (g.overlap > -1e-9 * s.radius) {
+        if (speed > 0)
+          judge(i, scene_.wall_names[w], speed, depth(law_of(s.material, setup_.walls[w].material), s.mass(), speed),
+                s.radius, wall.two_sided() ? 1 : Breakthrough::share);
+        return;
+      }
+      when += wall.flat() ? -g.overlap / std::max(speed, 1e-12 * fastest) : -g.overlap / fastest;
+      if (when > duration_) return;
+    }
   }
 
   void at_each_other(std::size_t i, std::size_t j) {
@@ -47,25 +65,34 @@ class Flights {
     const double back = std::sqrt(reach * reach - std::max(0.0, miss)), speed = std::sqrt(square);
     if (rate / square - back / speed > duration_) return;
     const double along = speed * back / reach, mass = 1 / (1 / a.mass() + 1 / b.mass());
-    judge(j, fmt::format("/spheres/{}", i), along, depth(law_of(a.material, b.material), mass, along),
-          std::min(a.radius, b.radius));
+    judge(j, name(i), along, depth(law_of(a.material, b.material), mass, along), std::min(a.radius, b.radius),
+          Breakthrough::share);
   }
 
  private:
   const Interaction& law_of(std::size_t a, std::size_t b) const { return setup_.interactions.at(std::minmax(a, b)); }
-  void judge(std::size_t i, const std::string& other, double speed, double deep, double radius) {
+  std::size_t given() const { return root_.has("spheres") ? root_.at("spheres").size() : 0; }
+  std::string name(std::size_t i) const {
+    return i < given() ? fmt::format("/spheres/{}", i) : fmt::format("sphere {}", i + 1);
+  }
+  void judge(std::size_t i, const std::string& other, double speed, double deep, double radius, double share) {
     if (deep < radius) return;
     const std::string found =
         fmt::format("meets {} at {} m/s and would go {} m into it (v t_col/pi), past a radius of {} m", other,
                     significant(speed, 3), significant(deep, 3), significant(radius, 3));
-    if (deep > Breakthrough::share * radius)
-      spheres_.at(i).complain(fmt::format("{}; it must be slower, or their law stiffer", found));
-    if (remark.empty()) remark = fmt::format("/spheres/{} {}", i, found);
+    if (deep > share * radius && !insists_) {
+      const std::string what = fmt::format("{}; it must be slower, or their law stiffer, or \"insist\" true", found);
+      if (i < given()) root_.at("spheres").at(i).complain(what);
+      root_.complain(fmt::format("{} {}", name(i), what));
+    }
+    if (remark.empty()) remark = fmt::format("{} {}", name(i), found);
   }
 
-  Node spheres_;
+  const Node& root_;
+  const Scene& scene_;
   const ClusterSetup& setup_;
   double duration_;
+  bool insists_;
 };
 
 }  // namespace

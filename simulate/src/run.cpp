@@ -1,7 +1,9 @@
 #include <simulate/run.hpp>
 
+#include "inflow.hpp"
 #include "outputs.hpp"
 #include "state_file.hpp"
+#include "vtk.hpp"
 
 #include <console/exit.hpp>
 #include <console/input.hpp>
@@ -28,7 +30,12 @@ constexpr double unspoken_kernel_error = 1e-6;
 
 // Checked before anything is written.
 Cluster prepared(const Scene& scene) {
-  Cluster cluster(scene.setup, scene.options);
+  ClusterOptions options = scene.options;
+  double smallest = 0;
+  for (std::size_t k = 0; k < scene.sphere_count(); ++k)
+    if (const double r = scene.sphere(k).radius; k == 0 || r < smallest) smallest = r;
+  if (options.skin == 0) options.skin = smallest / 3;  // also of those that come later
+  Cluster cluster(scene.setup, options);
   if (!std::isfinite(cluster.energy().total()))
     throw console::Failed("t = 0: the energy of the spheres is no longer a number; slower or lighter ones are needed");
   return cluster;
@@ -36,15 +43,20 @@ Cluster prepared(const Scene& scene) {
 
 class Run {
  public:
-  Run(const Scene& scene, Cluster cluster, const std::string& folder, const std::optional<Checkpoint>& from)
+  Run(const Scene& scene, Cluster cluster, const std::string& folder, const std::optional<Checkpoint>& from,
+      Format format)
       : scene_(scene),
+        roster_(scene),
+        inflow_(scene),
         state_path_(folder + "/state.json"),
         cluster_(std::move(cluster)),
         trajectory_(folder + "/trajectory.xyz", from ? from->lengths[0] : 0),
         contacts_(folder + "/contacts.csv", from ? from->lengths[1] : 0),
         energy_(folder + "/energy.csv", from ? from->lengths[2] : 0) {
+    if (format == Format::vtk)
+      vtk_.emplace(folder + "/vtk", scene, from ? from->state.steps / scene.output_every + 1 : 0);
     if (from) {
-      cluster_.restore(from->state);
+      take_up(*from);
     } else {
       contacts_.append(contact_header());
       energy_.append(energy_header());
@@ -64,20 +76,53 @@ class Run {
       progress.advance();
       if (Clock::now() - saved > std::chrono::seconds(10)) save(false), saved = Clock::now();
     }
-    for (const ContactState& c : cluster_.contacts()) contacts_.append(contact_row(scene_, c.record));
+    for (const ContactState& c : cluster_.contacts()) contacts_.append(contact_row(roster_, c.record));
     save(true);
     report();
     return 0;
   }
 
  private:
+  // Who is there before what they do.
+  void take_up(const Checkpoint& from) {
+    Roster now = roster_;
+    now.who() = from.present;
+    std::vector<std::uint32_t> all(cluster_.size());
+    std::iota(all.begin(), all.end(), 0u);
+    std::vector<Sphere> spheres;
+    spheres.reserve(now.size());
+    for (std::size_t k = 0; k < now.size(); ++k) spheres.push_back(now.sphere(k));
+    if (now.who() != roster_.who()) {
+      cluster_.remove(all);
+      cluster_.add(spheres);
+      roster_ = now;
+    }
+    inflow_.set_brought(from.brought);
+    cluster_.restore(from.state);
+    cluster_.take_finished();
+  }
+
+  void note_finished() {
+    for (const Encounter& e : cluster_.take_finished()) contacts_.append(contact_row(roster_, e));
+  }
+
+  void come_and_go() {
+    if (const auto leaving = inflow_.leaving(cluster_); !leaving.empty()) {
+      cluster_.remove(leaving);
+      note_finished();  // by the numbers that they had
+      Inflow::strike(leaving, roster_);
+    }
+    inflow_.bring(cluster_, roster_);
+  }
+
   void step() {
     if (!cluster_.advance(1) || !std::isfinite(cluster_.energy().total()))
       throw console::Failed(
           fmt::format("t = {} s: the motion is no longer finite; a smaller \"step\" is needed. All before is written",
                       console::significant(cluster_.time(), 6)));
     if (const auto through = cluster_.breakthrough()) report(*through);
-    for (const Encounter& e : cluster_.take_finished()) contacts_.append(contact_row(scene_, e));
+    note_finished();
+    if (inflow_.due(cluster_.steps())) come_and_go();
     const std::uint64_t done = cluster_.steps();
     if (done % scene_.output_every == 0 || done == scene_.steps) output();
   }
@@ -86,11 +131,11 @@ class Run {
     const auto& [i, j, speed] = through;
     const std::string what =
         i == j ? fmt::format("body {} moves by more than its radius in a step, at {} m/s: a smaller \"step\" is needed",
-                             scene_.body_names[i], console::significant(speed, 3))
+                             roster_.name(i), console::significant(speed, 3))
                : fmt::format(
                      "bodies {} and {} have gone into each other by more than {} radii, at {} m/s: a stiffer "
                      "law, or slower bodies, are needed",
-                     scene_.body_names[i], scene_.body_names[j], Breakthrough::share, console::significant(speed, 3));
+                     roster_.name(i), roster_.name(j), Breakthrough::share, console::significant(speed, 3));
     throw console::Failed(
         fmt::format("t = {} s: {}. All before is written", console::significant(cluster_.time(), 6), what));
   }
@@ -106,6 +151,9 @@ class Run {
   }
 
   void report() const {
+    if (const std::uint64_t waiting = inflow_.waiting(cluster_.time()); waiting > 0)
+      console::complain("simulate",
+                        fmt::format("{} spheres that were to be poured by now have found no room", waiting));
     const ClusterState s = cluster_.state();
     if (s.unconverged == 0) return;
     console::complain(
@@ -117,25 +165,34 @@ class Run {
   }
 
   void output() {
-    trajectory_.append(frame_xyz(scene_, cluster_));
+    trajectory_.append(frame_xyz(scene_, roster_, cluster_));
+    if (vtk_) vtk_->add(frame_vtk(scene_, roster_, cluster_), cluster_.time());
     energy_.append(energy_row(cluster_));
   }
 
   // Outputs first, then the state that says how long they are: whenever the program dies, the state fits.
   void save(bool complete) {
-    const Checkpoint c{{trajectory_.flush(), contacts_.flush(), energy_.flush()}, complete, cluster_.state()};
+    const Checkpoint c{{trajectory_.flush(), contacts_.flush(), energy_.flush()},
+                       complete,
+                       vtk_ ? Format::vtk : Format::xyz,
+                       roster_.who(),
+                       inflow_.brought(),
+                       cluster_.state()};
     console::write_atomically(state_path_, write_checkpoint(scene_, c));
   }
 
   const Scene& scene_;
+  Roster roster_;
+  Inflow inflow_;
   std::string state_path_;
   Cluster cluster_;
   GrowingFile trajectory_, contacts_, energy_;
+  std::optional<VtkFolder> vtk_;
 };
 
 }  // namespace
 
-int run(const Scene& scene, const std::string& folder, bool resume, const std::function<void()>& begun) {
+int run(const Scene& scene, const std::string& folder, bool resume, const std::function<void()>& begun, Format format) {
   const console::StopOnSignal signals;  // from here on: a stop while memory kernels are built leaves a state as well
   const std::string state = folder + "/state.json";
   std::error_code error;
@@ -143,18 +200,18 @@ int run(const Scene& scene, const std::string& folder, bool resume, const std::f
     if (fs::exists(state, error))
       throw console::BadInput(
           fmt::format("-o {}: holds a run already; --resume goes on with it, another folder starts anew", folder));
-    for (const char* const name : {"trajectory.xyz", "contacts.csv", "energy.csv"})
+    for (const char* const name : {"trajectory.xyz", "contacts.csv", "energy.csv", "vtk"})
       if (fs::exists(fs::path(folder) / name, error))
         throw console::BadInput(
             fmt::format("-o {}: holds {} without the state.json of a run; another folder keeps it", folder, name));
     Cluster cluster = prepared(scene);
     fs::create_directories(folder, error);
     if (error) throw console::BadInput(fmt::format("-o {}: cannot be made: {}", folder, error.message()));
-    return Run(scene, std::move(cluster), folder, {}).go(begun);
+    return Run(scene, std::move(cluster), folder, {}, format).go(begun);
   }
   const Checkpoint from = read_checkpoint(state, console::read_input(state), scene);
   if (from.complete) return 0;
-  return Run(scene, prepared(scene), folder, from).go(begun);
+  return Run(scene, prepared(scene), folder, from, from.format).go(begun);
 }
 
 }  // namespace ricochet::simulate

@@ -1,9 +1,14 @@
 #include <simulate/scene.hpp>
 
+#include "crowd.hpp"
 #include "friction.hpp"
+#include "generate.hpp"
 #include "law.hpp"
 #include "law_by_target.hpp"
+#include "materials.hpp"
 #include "passage.hpp"
+#include "start.hpp"
+#include "walls.hpp"
 
 #include <console/exit.hpp>
 #include <console/number.hpp>
@@ -12,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -26,36 +32,6 @@ using console::significant;
 
 // The collision of the stiffest pair is resolved by 200 steps if the scene leaves the choice, by 20 at least.
 constexpr double steps_per_collision = 200, least_steps_per_collision = 20;
-
-struct Material {
-  std::size_t index;
-  std::optional<double> density;
-};
-using Materials = std::map<std::string, Material>;
-
-Materials read_materials(const Node& node) {
-  Materials materials;
-  if (!node.json().is_object() || node.json().empty())
-    node.reject("an object of at least one material, {\"name\": {...}}");
-  node.require_names();
-  for (const auto& [name, value] : node.json().items()) {
-    const Node material = node.at(name);
-    material.allow({"density"});
-    Material read{materials.size(), {}};
-    if (material.has("density")) read.density = material.at("density").positive();
-    materials.emplace(name, read);
-  }
-  return materials;
-}
-
-const Material& material_of(const Node& node, const Materials& materials) {
-  const auto found = materials.find(node.text());
-  if (found != materials.end()) return found->second;
-  std::vector<std::string_view> known;
-  known.reserve(materials.size());
-  for (const auto& [name, material] : materials) known.push_back(name);
-  node.reject(fmt::format("one of the materials {}", fmt::join(known, ", ")));
-}
 
 // Springs that are each pair's own are set pair by pair.
 void read_tangent_plane(const Node& entry, std::pair<std::size_t, std::size_t> pair, const AnyLaw& normal,
@@ -99,7 +75,7 @@ Interactions read_interactions(const Node& node, const Materials& materials, ByP
 }
 
 void read_spheres(const Node& node, const Materials& materials, Scene& scene) {
-  if (node.size() == 0) node.reject("at least one sphere");
+  scene.setup.spheres.reserve(node.size());
   for (std::size_t k = 0; k < node.size(); ++k) {
     const Node entry = node.at(k);
     entry.allow({"radius", "density", "material", "position", "velocity", "spin"});
@@ -107,39 +83,55 @@ void read_spheres(const Node& node, const Materials& materials, Scene& scene) {
     Sphere s;
     s.radius = entry.at("radius").positive();
     s.material = material.index;
-    if (entry.has("density"))
-      s.density = entry.at("density").positive();
-    else if (material.density)
-      s.density = *material.density;
-    else
-      entry.complain("\"density\" is missing; the sphere or its material must give it");
+    s.density = density_of(entry, material);
     s.position = entry.at("position").vector();
     if (entry.has("velocity")) s.velocity = entry.at("velocity").vector();
     if (entry.has("spin")) s.spin = entry.at("spin").vector();
     scene.setup.spheres.push_back(s);
-    scene.body_names.push_back(fmt::format_int(k + 1).str());
   }
 }
 
-void read_walls(const Node& root, const Materials& materials, Scene& scene) {
-  const auto add = [&](const Wall& wall) {
-    scene.setup.walls.push_back(wall);
-    scene.body_names.push_back(fmt::format("wall{}", scene.setup.walls.size()));
-  };
-  for (std::size_t k = 0; root.has("walls") && k < root.at("walls").size(); ++k) {
-    const Node entry = root.at("walls").at(k);
-    entry.allow({"point", "inward", "material"});
+void read_periods(const Node& node, Scene& scene) {
+  node.allow({"x", "y", "z"});
+  for (const auto& [key, axis] : {std::pair("x", &Vec3::x), std::pair("y", &Vec3::y), std::pair("z", &Vec3::z)}) {
+    if (!node.has(key)) continue;
+    const Node borders = node.at(key);
+    if (!borders.json().is_array() || borders.json().size() != 2) borders.reject("two borders [low, high]");
+    scene.cell_low.*axis = borders.at(0).number(), scene.cell_high.*axis = borders.at(1).number();
+    scene.setup.periodic.period.*axis = scene.cell_high.*axis - scene.cell_low.*axis;
+    if (!(scene.setup.periodic.period.*axis > 0)) borders.reject("two borders [low, high], low < high");
+  }
+}
+
+void read_outlets(const Node& node, Scene& scene) {
+  for (std::size_t k = 0; k < node.size(); ++k) {
+    const Node entry = node.at(k);
+    entry.allow({"point", "inward"});
     const Vec3 inward = entry.at("inward").vector();
     if (!(norm(inward) > 0)) entry.at("inward").reject("a direction, not zero");
-    add({entry.at("point").vector(), inward, material_of(entry.at("material"), materials).index});
+    scene.outlets.push_back({entry.at("point").vector(), inward / norm(inward)});
   }
-  for (std::size_t k = 0; root.has("boxes") && k < root.at("boxes").size(); ++k) {
-    const Node entry = root.at("boxes").at(k);
-    entry.allow({"low", "high", "material"});
-    const Vec3 low = entry.at("low").vector(), high = entry.at("high").vector();
-    if (!(low.x < high.x && low.y < high.y && low.z < high.z)) entry.at("high").reject("above low in x, y and z");
-    for (const Wall& wall : box_walls(low, high, material_of(entry.at("material"), materials).index)) add(wall);
+}
+
+// Where no period says it: the box that boxes take together, else spheres and regions of pours.
+void choose_cell(const Node& root, Scene& scene) {
+  constexpr double far = std::numeric_limits<double>::max();
+  Vec3 low{far, far, far}, high = -low;
+  const auto cover = [&](Vec3 from, Vec3 to) {
+    for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z})
+      low.*axis = std::min(low.*axis, from.*axis), high.*axis = std::max(high.*axis, to.*axis);
+  };
+  const std::size_t boxes = root.has("boxes") ? root.at("boxes").size() : 0;
+  for (std::size_t k = 0; k < boxes; ++k)
+    cover(root.at("boxes").at(k).at("low").vector(), root.at("boxes").at(k).at("high").vector());
+  for (std::size_t k = 0; boxes == 0 && k < scene.setup.spheres.size(); ++k) {
+    const Sphere& s = scene.setup.spheres[k];
+    const Vec3 r{s.radius, s.radius, s.radius};
+    cover(s.position - r, s.position + r);
   }
+  for (const Pour& pour : scene.pours) cover(pour.region.low(), pour.region.high());
+  for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z})
+    if (scene.setup.periodic.period.*axis == 0) scene.cell_low.*axis = low.*axis, scene.cell_high.*axis = high.*axis;
 }
 
 std::string name_of(const Materials& materials, std::size_t index) {
@@ -167,28 +159,78 @@ void check_pairs(const Node& root, const Materials& materials, const Scene& scen
   }
 }
 
-void check_apart(const Node& root, const ClusterSetup& setup) {
-  std::vector<Vec3> positions;
-  std::vector<double> radii;
-  for (const Sphere& s : setup.spheres) positions.push_back(s.position), radii.push_back(s.radius);
-  const auto complain = [&](std::size_t i, const std::string& other, double overlap) {
-    root.at("spheres").at(i).complain(fmt::format(
-        "overlaps {} by {} m at the start; bodies must be apart or just touch", other, significant(overlap, 3)));
-  };
-  for (const NearPair& pair : near_pairs(positions, radii, 0)) {
-    const double reach = radii[pair.i] + radii[pair.j], overlap = reach - norm(positions[pair.j] - positions[pair.i]);
-    if (overlap > 1e-12 * reach) complain(pair.j, fmt::format("/spheres/{}", pair.i), overlap);
-  }
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    for (std::size_t w = 0; w < setup.walls.size(); ++w) {
-      const Wall& wall = setup.walls[w];
-      const double overlap = radii[i] - dot(positions[i] - wall.point, wall.inward) / norm(wall.inward);
-      if (overlap > 1e-12 * radii[i]) complain(i, fmt::format("wall{}", w + 1), overlap);
+// Of bodies that overlap; of spheres in a trajectory or a generator too, which no place in the file stands for.
+class Overlaps {
+ public:
+  Overlaps(const Node& root, const Scene& scene) : root_(root), scene_(scene) {}
+
+  std::string look() {
+    const auto& spheres = scene_.setup.spheres;
+    std::vector<Vec3> positions;
+    std::vector<double> radii;
+    positions.reserve(spheres.size()), radii.reserve(spheres.size());
+    for (const Sphere& s : spheres) positions.push_back(s.position), radii.push_back(s.radius);
+    for (const NearPair& pair : near_pairs(positions, radii, 0, scene_.setup.periodic)) {
+      const Vec3 way = scene_.setup.periodic.shortest(positions[pair.j] - positions[pair.i]);
+      note(
+          pair.j, [&] { return place(pair.i); }, radii[pair.i] + radii[pair.j] - norm(way),
+          std::min(radii[pair.i], radii[pair.j]));
     }
+    for (std::size_t w = 0; w < scene_.setup.walls.size(); ++w) {
+      const motion::Surface wall(scene_.setup.walls[w]);
+      for (std::size_t i = 0; i < positions.size(); ++i)
+        note(
+            i, [&] { return scene_.wall_names[w]; }, wall.meet(positions[i], radii[i], 0).overlap, radii[i]);
+    }
+    if (count_ == 0) return {};
+    return fmt::format("{} pairs overlap at the start, {}; their contacts begin at time 0", count_, deepest_);
+  }
+
+ private:
+  std::string place(std::size_t i) const {
+    return i < given() ? fmt::format("/spheres/{}", i) : fmt::format("sphere {}", i + 1);
+  }
+  std::size_t given() const { return root_.has("spheres") ? root_.at("spheres").size() : 0; }
+
+  template <class Name>
+  void note(std::size_t i, Name&& other, double overlap, double radius) {
+    if (!(overlap > touching * radius)) return;
+    ++count_;
+    if (overlap <= deepest_overlap_) return;
+    deepest_overlap_ = overlap;
+    deepest_ = fmt::format("{} and {} by {} m", place(i), other(), significant(overlap, 3));
+    if (overlap < radius) return;
+    const std::string found = fmt::format("overlaps {} by {} m at the start; it must be less than a radius, {} m",
+                                          other(), significant(overlap, 3), significant(radius, 3));
+    if (i < given()) root_.at("spheres").at(i).complain(found);
+    root_.complain(fmt::format("sphere {} {}", i + 1, found));
+  }
+
+  const Node& root_;
+  const Scene& scene_;
+  std::size_t count_ = 0;
+  double deepest_overlap_ = 0;
+  std::string deepest_;
+};
+
+void note_materials(const Node& root, const Materials& materials, Scene& scene) {
+  scene.materials.resize(materials.size());
+  std::map<std::string, std::string> words;
+  for (const auto& [name, material] : materials) {
+    scene.materials[material.index] = name;
+    if (const auto [other, fresh] = words.emplace(species(name), name); !fresh)
+      root.at("materials")
+          .complain(fmt::format("\"{}\" and \"{}\" are the same word in a trajectory, {}; must differ", other->second,
+                                name, other->first));
+  }
+  scene.stuff.reserve(scene.sphere_count());
+  for (std::size_t k = 0; k < scene.sphere_count(); ++k)
+    scene.stuff.push_back(static_cast<std::uint32_t>(scene.sphere(k).material));
 }
 
 std::string body(const Scene& scene, std::size_t k) {
-  return fmt::format("{}{}", k < scene.setup.spheres.size() ? "sphere " : "", scene.body_names[k]);
+  const std::size_t spheres = scene.setup.spheres.size();
+  return k < spheres ? fmt::format("sphere {}", k + 1) : scene.wall_names[k - spheres];
 }
 
 // The step, such that the output interval is a whole number of steps.
@@ -224,11 +266,57 @@ std::string fingerprint(const std::string& text) {
 
 }  // namespace
 
+namespace {
+
+// Everybody that will ever be there, whether from the start or later.
+void read_bodies(const std::string& file, const Node& root, const Materials& materials, Scene& scene,
+                 std::string& used) {
+  if (root.has("periodic")) read_periods(root.at("periodic"), scene);
+  read_walls(root, materials, scene);
+  if (root.has("spheres")) read_spheres(root.at("spheres"), materials, scene);
+  if (root.has("start")) used += read_start(root.at("start"), file, materials, scene);
+  generate(root, materials, scene);
+  if (root.has("outlets")) read_outlets(root.at("outlets"), scene);
+  if (scene.sphere_count() == 0) {
+    if (root.has("spheres")) root.at("spheres").reject("at least one sphere");
+    root.complain("\"spheres\" is missing; they, \"start\", \"lattice\" or \"pour\" must be given");
+  }
+  choose_cell(root, scene);
+}
+
+// What a cluster would refuse, or could not move right.
+void check_space(const Node& root, const Scene& scene) {
+  double largest = 0, smallest = std::numeric_limits<double>::max();
+  for (std::size_t k = 0; k < scene.sphere_count(); ++k)
+    largest = std::max(largest, scene.sphere(k).radius), smallest = std::min(smallest, scene.sphere(k).radius);
+  for (std::size_t w = 0; w < scene.setup.walls.size(); ++w) {
+    if (const double width = narrowest(scene.setup.walls[w]); !(largest < width))
+      root.complain(fmt::format("a sphere of radius {} m is no smaller than the radius of {}, {} m; it must be smaller",
+                                significant(largest, 3), scene.wall_names[w], significant(width, 3)));
+    if (!same_along(scene.setup.walls[w], scene.setup.periodic))
+      root.at("periodic")
+          .complain(fmt::format(
+              "{} is not the same all along a periodic axis; it must be, as planes and cylinders along it are",
+              scene.wall_names[w]));
+  }
+  // The neighbour list keeps a third of the smallest radius in reserve.
+  const double least = 4 * largest + 2.0 / 3 * smallest;
+  for (const auto& [key, axis] : {std::pair("x", &Vec3::x), std::pair("y", &Vec3::y), std::pair("z", &Vec3::z)})
+    if (const double period = scene.setup.periodic.period.*axis; period > 0 && !(period > 1.001 * least))
+      root.at("periodic")
+          .at(key)
+          .reject(fmt::format("borders more than {} m apart, two diameters", significant(1.001 * least, 3)));
+}
+
+}  // namespace
+
 Scene read_scene(const std::string& file, const std::string& text) {
   const console::Json json = console::parse_json(file, text, "docs/scenes.md");
   const Node root(file, text, json);
-  root.allow({"schema", "title", "duration", "output_interval", "step", "gravity", "materials", "interactions",
-              "spheres", "walls", "boxes", "reclosing"});
+  root.allow({"schema",    "title",        "duration",  "output_interval", "step",    "gravity",
+              "materials", "interactions", "spheres",   "start",           "lattice", "pour",
+              "walls",     "boxes",        "cylinders", "cones",           "rings",   "plates",
+              "periodic",  "outlets",      "reclosing", "insist"});
   if (root.has("schema")) root.at("schema").one_of({"ricochet/scene/1"});
   Scene scene;
   if (root.has("title")) scene.title = root.at("title").text();
@@ -236,16 +324,25 @@ Scene read_scene(const std::string& file, const std::string& text) {
   ByPair by_pair;
   scene.setup.interactions = read_interactions(root.at("interactions"), materials, by_pair);
   if (root.has("gravity")) scene.setup.gravity = root.at("gravity").vector();
-  read_spheres(root.at("spheres"), materials, scene);
-  read_walls(root, materials, scene);
+  std::string read = json.dump();
+  read_bodies(file, root, materials, scene, read);
+  note_materials(root, materials, scene);
   if (root.has("reclosing") && root.at("reclosing").one_of({"repels", "silent"}) == "silent")
     scene.options.reclosing = Reclosing::silent;
+  check_space(root, scene);
+  scene.remark = Overlaps(root, scene).look();
+  // Laws by target and the step are for those that come later as well.
+  std::vector<Sphere>&spheres = scene.setup.spheres, &later = scene.setup.later;
+  const std::size_t first = spheres.size();
+  spheres.insert(spheres.end(), later.begin(), later.end());
   check_pairs(root, materials, scene);
-  check_apart(root, scene.setup);
   resolve(by_pair, scene.setup);
   choose_step(root, scene);
-  scene.remark = look_ahead(root, scene);
-  scene.fingerprint = fingerprint(json.dump());
+  later.assign(spheres.begin() + static_cast<std::ptrdiff_t>(first), spheres.end());
+  spheres.resize(first);
+  if (const std::string ahead = look_ahead(root, scene); !ahead.empty())
+    scene.remark += (scene.remark.empty() ? "" : ". ") + ahead;
+  scene.fingerprint = fingerprint(read);
   return scene;
 }
 

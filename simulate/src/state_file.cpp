@@ -14,8 +14,9 @@ namespace {
 
 using console::Json;
 using console::Node;
+using Present = std::vector<std::uint32_t>;
 
-constexpr const char* schema = "ricochet/state/4";
+constexpr const char* schema = "ricochet/state/5";
 constexpr auto any_integer = std::numeric_limits<std::int64_t>::max();
 
 Json json(double value) { return console::number_or_null(value); }  // only `never` is infinite
@@ -74,8 +75,9 @@ std::vector<Vec3> read_vectors(const Node& node, std::size_t count) {
 }
 
 // Bodies of a contact, in the order that contacts have: by i, then by j.
-void read_pair(const Node& node, const Scene& scene, Encounter& record) {
-  const std::size_t spheres = scene.setup.spheres.size(), bodies = spheres + scene.setup.walls.size();
+void read_pair(const Node& node, const Scene& scene, std::size_t spheres, Encounter& record) {
+  const std::size_t bodies = spheres + scene.setup.walls.size();
+  if (spheres == 0) node.reject("nothing, as no sphere is there");
   expect_length(node, 2, "bodies");
   record.i = static_cast<std::uint32_t>(node.at(0).integer(0, spheres - 1));
   record.j = static_cast<std::uint32_t>(node.at(1).integer(record.i + std::uint64_t(1), bodies - 1));
@@ -93,10 +95,10 @@ void read_record(const Node& node, Encounter& r) {
   for (std::size_t k = 0; k < phase_count; ++k) r.phase_begin[k] = time_or_never(phases.at(k));
 }
 
-const Interaction& interaction_between(const Scene& scene, const Encounter& r) {
-  const auto& spheres = scene.setup.spheres;
-  const std::size_t a = spheres[r.i].material;
-  const std::size_t b = r.j < spheres.size() ? spheres[r.j].material : scene.setup.walls[r.j - spheres.size()].material;
+const Interaction& interaction_between(const Scene& scene, const Present& present, const Encounter& r) {
+  const std::size_t a = scene.sphere(present[r.i]).material;
+  const std::size_t b =
+      r.j < present.size() ? scene.sphere(present[r.j]).material : scene.setup.walls[r.j - present.size()].material;
   return scene.setup.interactions.at(std::minmax(a, b));
 }
 
@@ -120,12 +122,12 @@ ContactMemory read_memory(const Node& node, const NormalLaw& law) {
   return read;
 }
 
-ContactState read_contact(const Node& node, const Scene& scene) {
+ContactState read_contact(const Node& node, const Scene& scene, std::size_t spheres) {
   node.allow({"pair",    "begin",  "end",         "how",         "phases",     "law",     "memory",
               "overlap", "rate",   "force",       "lag",         "impulse",    "sliding", "torsion",
               "rolling", "stored", "impact_rate", "speed_scale", "elongation", "strained"});
   ContactState c;
-  read_pair(node.at("pair"), scene, c.record);
+  read_pair(node.at("pair"), scene, spheres, c.record);
   read_record(node, c.record);
   c.approach = {node.at("overlap").number(), node.at("rate").number()};
   c.force = node.at("force").number();
@@ -139,10 +141,10 @@ ContactState read_contact(const Node& node, const Scene& scene) {
   return c;
 }
 
-void read_contacts(const Node& node, const Scene& scene, ClusterState& state) {
+void read_contacts(const Node& node, const Scene& scene, const Present& present, ClusterState& state) {
   for (std::size_t k = 0; k < node.size(); ++k) {
     const Node one = node.at(k);
-    state.contacts.push_back(read_contact(one, scene));
+    state.contacts.push_back(read_contact(one, scene, present.size()));
     const Encounter& now = state.contacts[k].record;
     if (now.begin > static_cast<double>(state.steps) * scene.options.step)
       one.at("begin").reject("at most the time of the state");
@@ -151,25 +153,47 @@ void read_contacts(const Node& node, const Scene& scene, ClusterState& state) {
       if (std::pair(last.i, last.j) >= std::pair(now.i, now.j))
         one.at("pair").reject("after that of the contact before");
     }
-    const Interaction& interaction = interaction_between(scene, now);
+    const Interaction& interaction = interaction_between(scene, present, now);
     state.memories.push_back(read_memory(one, interaction.law));
     read_springs(one, compliant(interaction.tangential), state.contacts[k]);
   }
 }
 
-ClusterState read_state(const Node& root, const Scene& scene) {
+// Spheres of the scene, each once; those of the start stay in their order, but nothing depends on that.
+Present read_present(const Node& node, const Scene& scene) {
+  Present present;
+  std::vector<bool> there(scene.sphere_count());
+  for (std::size_t k = 0; k < node.size(); ++k) {
+    const auto number = node.at(k).integer(0, scene.sphere_count() - 1);
+    if (there[number]) node.at(k).reject("a sphere that is there once");
+    there[number] = true;
+    present.push_back(static_cast<std::uint32_t>(number));
+  }
+  return present;
+}
+
+std::vector<std::uint64_t> read_brought(const Node& node, const Scene& scene) {
+  expect_length(node, scene.pours.size(), "numbers, one a pour");
+  std::vector<std::uint64_t> brought;
+  for (std::size_t p = 0; p < scene.pours.size(); ++p) brought.push_back(node.at(p).integer(0, scene.pours[p].count));
+  return brought;
+}
+
+ClusterState read_state(const Node& root, const Scene& scene, const Present& present) {
   ClusterState s;
-  const std::size_t spheres = scene.setup.spheres.size(), bodies = spheres + scene.setup.walls.size();
+  const std::size_t spheres = present.size(), bodies = spheres + scene.setup.walls.size();
   s.steps = root.at("steps").integer(0, scene.steps);
   s.half_positions = read_vectors(root.at("half_positions"), spheres);
   s.velocities = read_vectors(root.at("velocities"), spheres);
   s.spins = read_vectors(root.at("spins"), spheres);
   s.velocities.resize(bodies);
   s.spins.resize(bodies);
-  read_contacts(root.at("contacts"), scene, s);
+  read_contacts(root.at("contacts"), scene, present, s);
   s.lost_normal = root.at("lost_normal").number();
   s.lost_friction = root.at("lost_friction").number();
   s.long_range_work = root.at("long_range_work").number();
+  s.wall_work = root.at("wall_work").number();
+  s.brought = root.at("brought").number();
   const Node solver = root.at("solver");
   solver.allow({"unconverged_steps", "largest_change"});
   s.unconverged = solver.at("unconverged_steps").integer(0, s.steps);
@@ -200,11 +224,14 @@ std::string write_checkpoint(const Scene& scene, const Checkpoint& c) {
   const ClusterState& s = c.state;
   Json contacts = Json::array();
   for (std::size_t k = 0; k < s.contacts.size(); ++k) contacts.push_back(json(s.contacts[k], s.memories[k]));
-  const std::size_t spheres = s.half_positions.size();  // walls stand still
+  const std::size_t spheres = s.half_positions.size();  // walls follow from the time
   const Json j = {{"schema", schema},
                   {"scene", scene.fingerprint},
                   {"lengths", c.lengths},
                   {"complete", c.complete},
+                  {"format", c.format == Format::vtk ? "vtk" : "xyz"},
+                  {"present", c.present},
+                  {"poured", c.brought},
                   {"steps", s.steps},
                   {"half_positions", json(s.half_positions)},
                   {"velocities", json(std::span(s.velocities).first(spheres))},
@@ -213,6 +240,8 @@ std::string write_checkpoint(const Scene& scene, const Checkpoint& c) {
                   {"lost_normal", s.lost_normal},
                   {"lost_friction", s.lost_friction},
                   {"long_range_work", s.long_range_work},
+                  {"wall_work", s.wall_work},
+                  {"brought", s.brought},
                   {"solver", {{"unconverged_steps", s.unconverged}, {"largest_change", s.worst_change}}}};
   return j.dump() + "\n";
 }
@@ -222,12 +251,16 @@ Checkpoint read_checkpoint(const std::string& file, const std::string& text, con
   check_kind(file, json, scene);
   const Node root(file, text, json);
   root.allow({"schema", "scene", "lengths", "complete", "steps", "half_positions", "velocities", "spins", "contacts",
-              "lost_normal", "lost_friction", "long_range_work", "solver"});
+              "lost_normal", "lost_friction", "long_range_work", "solver", "wall_work", "brought", "format", "present",
+              "poured"});
   Checkpoint c;
   expect_length(root.at("lengths"), c.lengths.size(), "lengths");
   for (std::size_t k = 0; k < c.lengths.size(); ++k) c.lengths[k] = root.at("lengths").at(k).integer(0, any_integer);
   c.complete = root.at("complete").yes_or_no();
-  c.state = read_state(root, scene);
+  c.format = root.at("format").one_of({"xyz", "vtk"}) == "vtk" ? Format::vtk : Format::xyz;
+  c.present = read_present(root.at("present"), scene);
+  c.brought = read_brought(root.at("poured"), scene);
+  c.state = read_state(root, scene, c.present);
   if (c.complete && c.state.steps != scene.steps) root.at("complete").reject("false before the last step");
   return c;
 }

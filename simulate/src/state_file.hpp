@@ -1,10 +1,12 @@
 #pragma once
 
+#include <simulate/run.hpp>
 #include <simulate/scene.hpp>
 
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace ricochet::simulate {
 
@@ -12,11 +14,14 @@ namespace ricochet::simulate {
 struct Checkpoint {
   std::array<std::uint64_t, 3> lengths{};
   bool complete = false;
+  Format format = Format::xyz;
+  std::vector<std::uint32_t> present;  ///< which spheres of the scene, as they count in `state`
+  std::vector<std::uint64_t> brought;  ///< by each pour
   ClusterState state;
 };
 
 /// As JSON, with the scene's fingerprint; doubles in their shortest form that reads back to the same bits. Bodies count
-/// as in the scene, walls after the spheres; memories are the numbers of the law that is named.
+/// as in the scene, walls after the spheres that are there; memories are the numbers of the law that is named.
 std::string write_checkpoint(const Scene& scene, const Checkpoint& checkpoint);
 
 /// Reads what was written for the same scene, every value checked against it. Throws console::BadInput with one line

@@ -83,6 +83,7 @@ TEST_CASE("the peers' polynomials have the values of their printed coefficients"
   CHECK(marshall_polynomial(1) == Approx(0.0003).epsilon(1e-9));
   // The exponent's polynomial vanishes at e = 0, where γ diverges like 1/√(e(6.918798 − 2)).
   CHECK(thornton_polynomial(1e-8) * std::sqrt(1e-8 * 4.918798) == Approx(1).epsilon(1e-6));
+  CHECK(thornton_polynomial(1e-300) * std::sqrt(1e-300 * 4.918798) == Approx(1).epsilon(1e-12));
 }
 
 TEST_CASE("Kuwabara and Kono's restitution by the form of Müller and Pöschel, and what it really is", "[peers]") {

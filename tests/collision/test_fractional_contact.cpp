@@ -175,6 +175,8 @@ TEST_CASE("the trajectory satisfies m zeta'' + R = 0 for every conversion degree
     CHECK(std::abs(path.rate(0) - 0.5) < 1e-15);
   }
   CHECK_THROWS_WITH(FractionalTrajectory(1, 2, 1, 1), "alpha = 2: must be in [-1, 2)");
+  CHECK_THROWS_WITH(FractionalTrajectory(1e-308, 0.5, 1e308, 1), Catch::StartsWith("unit of the motion = inf"));
+  CHECK_THROWS_WITH(FractionalTrajectory(1, 0.5, 1, 5e-324), Catch::StartsWith("unit of the motion = 5e-324"));
   CHECK_THROWS_WITH(FractionalTrajectory(1, 0.5, 1, 1).overlap(-1), "t = -1: must be finite and >= 0");
   CHECK_THROWS_AS(FractionalTrajectory(1, 1.5, 1, 1).force(0), std::invalid_argument);
 }

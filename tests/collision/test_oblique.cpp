@@ -216,6 +216,20 @@ TEST_CASE("rigid friction stops the slip when its impulse has been passed, which
   CHECK(out.slip_time + out.stick_time == Approx(out.normal.tcol).epsilon(1e-10));
 }
 
+TEST_CASE("springs and dashpots have no say in rigid torsion and rolling, which stop what turns for good") {
+  TangentialContact rigid{.friction = {0.7, 0.4, 0.7}, .torsion = {Torsion::Limit::separate}, .rolling = {.mu = 0.05}};
+  TangentialContact sprung = rigid;
+  sprung.torsion.spring = {0.01, 0.01}, sprung.rolling.spring = {0.03, 0.02};
+  const ObliqueImpact impact{.i = {1.4, 6.4, {-0.3, 0.2, 0.4}, {0.05, -0.1, -0.0136}}};
+  const auto bare = collide(Tsuji(1, 0.176), rigid, impact), out = collide(Tsuji(1, 0.176), sprung, impact);
+  REQUIRE(out.separated());
+  CHECK(out.spin_i == bare.spin_i);
+  CHECK(out.velocity_i == bare.velocity_i);
+  CHECK(out.lost.sum() == bare.lost.sum());
+  CHECK(std::abs(out.spin_i.z) <= 1e-14);  // torsion has stopped it half-way, at the event's rounding
+  CHECK(out.lost.torsion == Approx(0.5 * inertia(impact.i) * std::pow(impact.i.spin.z, 2)).epsilon(1e-9));
+}
+
 TEST_CASE("ever stiffer springs without loss go over into full reversals of the slip, or into sliding, not rigid") {
   // Where k_t grows, the contact point swings back and forth at the frequency of k_t: the centre's mean loss is rigid
   // friction's, the strain never stays at rest. A damped one comes to rest: the limit is the rigid law.

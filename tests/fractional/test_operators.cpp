@@ -120,4 +120,8 @@ TEST_CASE("Misuse of an operator is named") {
   CHECK_THROWS_WITH(gruenwald_letnikov_derivative(0.5, -1, 4), Catch::Contains("step = -1"));
   CHECK_THROWS_WITH(l1_derivative(0.5, 0.1, 4).last(std::vector<double>(6)), Catch::Contains("samples = 6"));
   CHECK_THROWS_WITH(graded_mesh(1, 4, 0.5), Catch::Contains("grading"));
+  // h^10, and the weights that it is multiplied by.
+  CHECK_THROWS_WITH(trapezoid_integral(10, 1e31, 4), Catch::Contains("step = 1e+31"));
+  CHECK_THROWS_WITH(trapezoid_integral(10, 1e-31, 4), Catch::Contains("step = 1e-31"));
+  CHECK_THROWS_WITH(trapezoid_integral(10, 5e30, 1000), Catch::Contains("weight = inf: must be finite"));
 }

@@ -31,3 +31,20 @@ TEST_CASE("The event-driven column conserves what it must and reports collapse",
   CHECK(many.status == EventDrivenResult::Status::collapsed);
   CHECK(many.collisions == 100000);
 }
+
+TEST_CASE("The event-driven column at the edge of doubles says so, and its energies know no units", "[column]") {
+  const auto in_units = [](double kilogram, double metre_a_second) {
+    return event_driven_column({{kilogram, 3 * kilogram}, {1, 1}, {0, -metre_a_second}}, 0.5).energy_ratio;
+  };
+  const double ratio = in_units(1, 1);
+  CHECK(ratio > 0);
+  CHECK(in_units(0x1p900, 0x1p-300) == ratio);
+  CHECK(in_units(0x1p-900, 0x1p600) == ratio);
+  // Five masses whose sum is no double.
+  CHECK(event_driven_column(equal_column(5, 0x1p1022, 1, -1), 1).energy_ratio == Approx(1));
+  // The beads meet after 1e313 s.
+  const EventDrivenResult none = event_driven_column({{1, 1}, {1e308, 1e308}, {0, -1e-5}}, 1);
+  CHECK(none.status == EventDrivenResult::Status::out_of_range);
+  CHECK(none.velocity.empty());
+  CHECK(none.time == 0);
+}

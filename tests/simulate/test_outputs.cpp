@@ -93,26 +93,31 @@ TEST_CASE("a trajectory holds positions, velocities and spins of its own time, r
   REQUIRE(out.trajectory.size() == 12);
   REQUIRE(out.energy.size() == 4);
   CHECK(out.energy[0] ==
-        "t [s],kinetic [J],gravity [J],stored [J],lost_normal [J],lost_friction [J],total [J],contacts,strained [J]");
+        "t [s],kinetic [J],gravity [J],stored [J],lost_normal [J],lost_friction [J],total [J],contacts,strained [J],"
+        "walls [J],brought [J],spheres");
   const double m = mass(0.01, 2000), heavy = mass(0.02, 500), g = 9.81, inertia = 0.4 * m * 0.01 * 0.01;
   for (std::size_t frame = 0; frame < 3; ++frame) {
     CAPTURE(frame);
     // A free fall is met exactly by the scheme.
     const double t = 0.1 * static_cast<double>(frame), fallen = 0.5 * g * t * t, vz = 3 - g * t;
     CHECK(out.trajectory[4 * frame] == "2");
-    CHECK(out.trajectory[4 * frame + 1].find("Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:velo:R:3:"
-                                             "angular_velocity:R:3 Time=") == 0);
     const std::string& about = out.trajectory[4 * frame + 1];
+    // Without walls the box is what the spheres take at the start: x from 0.09 to 5.02, …
+    CHECK(about.find("Lattice=\"4.9") == 0);
+    CHECK(about.find("Origin=\"0.09000000000000001 0.19 0.99\" ") != std::string::npos);
+    CHECK(about.find("Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:velo:R:3:angular_velocity:R:3:id:I:1 Time=") !=
+          std::string::npos);
+    CHECK(about.find(R"( pbc="F F F")") != std::string::npos);
     CHECK(std::stod(about.substr(about.find("Time=") + 5)) == Approx(t).margin(1e-15));
     const Lines first = split(out.trajectory[4 * frame + 2], ' '), second = split(out.trajectory[4 * frame + 3], ' ');
-    CHECK(first[0] == "m0");
-    CHECK(second[0] == "m1");
-    check_close(numbers(first, 1), {0.1 + t, 0.2 - 2 * t, 1 + 3 * t - fallen, 0.01, m, 1, -2, vz, 4, 5, -6}, 1e-12);
-    check_close(numbers(second, 1), {5, 6, 7 - fallen, 0.02, heavy, 0, 0, -g * t, 0, 0, 0}, 1e-12);
+    CHECK(first[0] == "a");
+    CHECK(second[0] == "b");
+    check_close(numbers(first, 1), {0.1 + t, 0.2 - 2 * t, 1 + 3 * t - fallen, 0.01, m, 1, -2, vz, 4, 5, -6, 1}, 1e-12);
+    check_close(numbers(second, 1), {5, 6, 7 - fallen, 0.02, heavy, 0, 0, -g * t, 0, 0, 0, 2}, 1e-12);
     const double kinetic = 0.5 * m * (1 + 4 + vz * vz) + 0.5 * inertia * (16 + 25 + 36) + 0.5 * heavy * g * t * g * t;
     const double potential = m * g * (1 + 3 * t - fallen) + heavy * g * (7 - fallen);
-    check_close(numbers(split(out.energy[frame + 1], ',')), {t, kinetic, potential, 0, 0, 0, kinetic + potential, 0, 0},
-                1e-12);
+    check_close(numbers(split(out.energy[frame + 1], ',')),
+                {t, kinetic, potential, 0, 0, 0, kinetic + potential, 0, 0, 0, 0, 2}, 1e-12);
   }
 }
 

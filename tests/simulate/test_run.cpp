@@ -125,6 +125,21 @@ TEST_CASE("a run ends where bodies go through each other, and says which, when a
                                              "bodies, are needed\\. All before is written"));
   CHECK(read(folder.path / "wall/trajectory.xyz").find("Time=0.044") != std::string::npos);
   CHECK(run(scene("1e6", "1000"), folder.path / "stiff", false) == 0);
+  // Who insists is told, and stopped where it comes about: at 100 m/s, and at 1e4 m/s, which a step cannot resolve.
+  const auto insisting = [](const std::string& speed) {
+    return read_scene("s.json", R"({"insist": true, "duration": 0.01, "materials": {"g": {"density": 2000}},
+  "interactions": [{"between": ["g", "g"], "law": {"name": "linear", "k": 1e4, "c": 0}}],
+  "spheres": [{"radius": 0.01, "material": "g", "position": [0, 0, 0], "velocity": [)" +
+                                    speed +
+                                    R"(, 0, 0]}, {"radius": 0.01, "material": "g", "position": [0.03, 0, 0]}]})");
+  };
+  // The gap of 0.01 m, then 0.015 m of the 0.0647 m that the spring would take: 0.251 ms; a step has 0.01 ms.
+  CHECK_THROWS_WITH(
+      run(insisting("100"), folder.path / "fast", false),
+      Catch::Matchers::Matches("t = 0\\.0002[56][0-9]* s: bodies 1 and 2 have gone into each other by more "
+                               "than 1\\.5 radii, at 9[0-9]\\.?[0-9]* m/s: .*"));
+  CHECK_THROWS_WITH(run(insisting("1e4"), folder.path / "faster", false),
+                    Catch::Contains(" body 1 moves by more than its radius in a step, at 1e+04 m/s"));
   Scene coarse = scene("1e6", "1000");
   coarse.options.step = 1e-3;
   CHECK_THROWS_WITH(run(coarse, folder.path / "coarse", false),

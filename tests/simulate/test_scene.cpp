@@ -91,10 +91,10 @@ TEST_CASE("every mistake in a scene is one line that says where, what, and what 
   CHECK(complaint(with("\"radius\": 0.01, ", "")) == "s.json: /spheres/0: \"radius\" is missing; it must be given");
   CHECK(complaint(with("[0, 0, 0.05]", "[0, 0]")) ==
         "s.json: /spheres/1/position = [0,0]: must be three numbers [x, y, z]");
-  CHECK(complaint(with("0.05", "0.035")) ==
-        "s.json: /spheres/1: overlaps /spheres/0 by 0.005 m at the start; bodies must be apart or just touch");
-  CHECK(complaint(with("0.02]", "0.008]")) ==
-        "s.json: /spheres/0: overlaps wall1 by 0.002 m at the start; bodies must be apart or just touch");
+  CHECK(complaint(with("0.05", "0.029")) ==
+        "s.json: /spheres/1: overlaps /spheres/0 by 0.011 m at the start; it must be less than a radius, 0.01 m");
+  CHECK(complaint(with("0.02]", "-0.001]")) ==
+        "s.json: /spheres/0: overlaps wall1 by 0.011 m at the start; it must be less than a radius, 0.01 m");
   CHECK(complaint(with("0.01,", "0,")) == "s.json: /duration = 0: must be a number > 0");
   CHECK(complaint(with("\"duration\"", "\"step\": 0.005, \"duration\""))
             .rfind("s.json: /step = 0.005: must be at most the output interval", 0) == 0);
@@ -290,12 +290,19 @@ TEST_CASE("a scene of bodies that would pass through each other is refused with 
   // m_eff = m/2 = 4.18879e-3 kg: v t_col/pi = v sqrt(m_eff/k) = 6.47e-4 s v
   CHECK(placed_complaint(at(100)) ==
         "s.json:4:5: /spheres/1: meets /spheres/0 at 100 m/s and would go 0.0647 m into it (v t_col/pi), past a radius "
-        "of 0.01 m; it must be slower, or their law stiffer");
+        "of 0.01 m; it must be slower, or their law stiffer, or \"insist\" true");
+  // So fast that a step of the default would carry it past the other unseen.
+  CHECK(placed_complaint(at(1e4)).find("/spheres/1: meets /spheres/0 at 1e+04 m/s and would go 6.47 m") !=
+        std::string::npos);
   CHECK(placed_complaint(at(23.10)) == "accepted");
   CHECK(placed_complaint(at(23.25)) != "accepted");
   CHECK(read_scene("s.json", at(15.40)).remark.empty());
   CHECK(read_scene("s.json", at(15.50)).remark ==
         "/spheres/1 meets /spheres/0 at 15.5 m/s and would go 0.01 m into it (v t_col/pi), past a radius of 0.01 m");
+  std::string insisting = at(100);
+  insisting.replace(1, 0, "\"insist\": true, ");
+  CHECK(read_scene("s.json", insisting).remark.find("/spheres/1 meets /spheres/0 at 100 m/s and would go 0.0647 m") ==
+        0);
   CHECK(placed_complaint(at(100, "0.0201")) == "accepted");     // flies by
   CHECK(placed_complaint(at(100, "0.0199999")) == "accepted");  // grazes
   CHECK(placed_complaint(at(-100)) == "accepted");

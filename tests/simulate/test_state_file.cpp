@@ -23,7 +23,8 @@ const Checkpoint& saved() {
   static const Checkpoint made = [] {
     Cluster cluster(scene().setup, scene().options);
     REQUIRE(cluster.advance(300));
-    Checkpoint c{{1, 2, 3}, false, cluster.state()};
+    Checkpoint c{{1, 2, 3}, false, Format::vtk, {0, 1, 2, 3, 4, 5}, {}, cluster.state()};
+    c.state.wall_work = 0.625, c.state.brought = 0.875;
     c.state.unconverged = 7;
     c.state.worst_change = 0.125;
     c.state.long_range_work = 0.375;
@@ -68,6 +69,10 @@ TEST_CASE("a state reads back to the last bit, every number in its own place") {
   CHECK(b.lost_normal == a.lost_normal);
   CHECK(b.lost_friction == a.lost_friction);
   CHECK(b.long_range_work == a.long_range_work);
+  CHECK(b.wall_work == a.wall_work);
+  CHECK(b.brought == a.brought);
+  CHECK(back.format == Format::vtk);
+  CHECK(back.present == saved().present);
   CHECK(b.unconverged == a.unconverged);
   CHECK(b.worst_change == a.worst_change);
   REQUIRE(b.contacts.size() == a.contacts.size());
@@ -99,7 +104,7 @@ TEST_CASE("a state reads back to the last bit, every number in its own place") {
 TEST_CASE("the file says by name what it holds") {
   const Json state = Json::parse(write_checkpoint(scene(), saved()));
   const ClusterState& s = saved().state;
-  CHECK(state.at("schema") == "ricochet/state/4");
+  CHECK(state.at("schema") == "ricochet/state/5");
   CHECK(state.at("lost_normal") == s.lost_normal);
   CHECK(state.at("lost_friction") == s.lost_friction);
   CHECK(state.at("contacts").at(0).at("memory") == s.memories[0].values);
@@ -128,6 +133,12 @@ TEST_CASE("every value of a state is checked before it is used, and named where 
   CHECK(with("/lost_friction", "much") == start + "/lost_friction = \"much\": must be a finite number");
   CHECK(with("/solver/unconverged_steps", 301) ==
         start + "/solver/unconverged_steps = 301: must be an integer from 0 to 300");
+  CHECK(with("/present/5", 6) == start + "/present/5 = 6: must be an integer from 0 to 5");
+  CHECK(with("/present/5", 1) == start + "/present/5 = 1: must be a sphere that is there once");
+  CHECK(with("/present", {0, 1}).find("must be an array of 2 vectors, one a sphere") != std::string::npos);
+  CHECK(with("/poured", {1}) == start + "/poured = [1]: must be an array of 0 numbers, one a pour");
+  CHECK(with("/format", "ply") == start + "/format = \"ply\": must be xyz or vtk");
+  CHECK(with("/wall_work", nullptr) == start + "/wall_work = null: must be a finite number");
   CHECK(with("/contacts", 3) == start + "/contacts = 3: must be an array");
 }
 
@@ -179,7 +190,7 @@ TEST_CASE("what is no state of this scene and version is told apart") {
   CHECK(with("/schema", "ricochet/scene/1") == complaint({}));
   CHECK(with("/schema", "ricochet/state/1") ==
         start +
-            "/schema = \"ricochet/state/1\": must be \"ricochet/state/4\", as this version of simulate saves; "
+            "/schema = \"ricochet/state/1\": must be \"ricochet/state/5\", as this version of simulate saves; "
             "start again without --resume");
   CHECK(with("/scene", "1") == start + "of another scene; must be of the one given");
   CHECK_THROWS_WITH(read_checkpoint("d/state.json", "{\"schema\": ", scene()), Catch::Contains("must be a state"));

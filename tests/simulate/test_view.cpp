@@ -71,7 +71,7 @@ bool has(const Polyline& line, Vec3 p) {
 TEST_CASE("a trajectory is read by the names of its columns") {
   const TemporaryFolder folder;
   TrajectoryFile file(write(folder,
-                            "2\nTime=0.5 Lattice=\"1 0 0 0 1 0 0 0 Time=9\" "
+                            "2\nLattice=\"1 0 0 0 1 0 0 0 Time=9\" Time=0.5 "
                             "Properties=id:I:1:radius:R:1:velo:R:3:mass:R:1:species:S:1:pos:R:3\n"
                             "7 0.1 1 2 3 9 glass 4 5 6\n3 0.2 0 0 -1e-3 9 steel 0 0 0\n"
                             "0\nProperties=pos:R:3:radius:R:1 Time=1\n"));
@@ -286,7 +286,7 @@ TEST_CASE("the page holds the trajectory to what it says, and no markup of the s
     CHECK(at(6 * k + 1) == 0.3);
     CHECK(at(6 * k + 5) == Approx(0.4));
   }
-  CHECK(page.find("<dd>5.9e-06 m along each axis") != std::string::npos);  // 0.77 / 65535 / 2
+  CHECK(page.find("<dd>5.9e-06 m along each axis, 3.8e-05 m/s") != std::string::npos);  // 0.77 and 5 / 65535 / 2
   const auto speeds = numbers_in(element(page, "motion-speeds"));
   CHECK(speeds == std::vector<std::uint32_t>{65535, 0, 65535, 13107, 65535, 26214});
 }

@@ -114,6 +114,8 @@ FractionalTrajectory::FractionalTrajectory(double coefficient, double alpha, dou
   support::require_positive("coefficient", coefficient);
   support::require_positive("mass_eff", mass_eff);
   support::require_positive("velocity", velocity);
+  for (const double unit : {time_scale_, velocity * time_scale_, mass_eff * velocity / time_scale_})
+    support::require(std::isnormal(unit), "unit of the motion", unit, "a normal double");
 }
 
 double FractionalTrajectory::argument(double t) const {

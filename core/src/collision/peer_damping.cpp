@@ -91,7 +91,9 @@ double thornton_polynomial(double en) {
   const double exponent = en * horner<10>({-6.918798, -16.41105, 146.8049, -796.4559, 2928.711, -7206.864, 11494.29,
                                            -11342.18, 6276.757, -1489.915},
                                           en);
-  return std::sqrt(1 / (1 - (1 + en) * (1 + en) * std::exp(exponent)) - 1);
+  // √(1/d − 1), d = 1 − (1+e)² e^x, of which the difference loses all digits as e → 0.
+  const double d = -std::expm1(2 * std::log1p(en) + exponent);
+  return std::sqrt(1 - d) / std::sqrt(d);
 }
 
 }  // namespace ricochet

@@ -97,7 +97,7 @@ ChebyshevSeries series(const Eigen::VectorXd& c, double end) {
 FractionalMotion collocate_motion(double alpha, int nodes, double end) {
   support::require(alpha >= -2 && alpha < 1, "alpha", alpha, "in [-2, 1)");
   support::require(nodes >= 4 && nodes <= 120, "nodes", nodes, "in 4...120");
-  support::require_positive("end", end);
+  support::require(end >= 1e-150 && end <= 1e150, "end", end, "in [1e-150, 1e150]");
   static const EndpointRule fine;
   const double a = 2 - alpha;
 

@@ -1,6 +1,7 @@
 #include <ricochet/fractional/operators.hpp>
 #include <ricochet/support/require.hpp>
 
+#include <cmath>
 #include <utility>
 
 namespace ricochet {
@@ -11,6 +12,8 @@ ConvolutionRule::ConvolutionRule(std::vector<double> weights, std::vector<double
   support::require(!weights_.empty(), "weights", 0, "at least one");
   support::require(fits(first_), "first weights", static_cast<double>(first_.size()), "none or one a weight");
   support::require(fits(second_), "second weights", static_cast<double>(second_.size()), "none or one a weight");
+  for (const auto* some : {&weights_, &first_, &second_})
+    for (const double weight : *some) support::require(std::isfinite(weight), "weight", weight, "finite");
 }
 
 void ConvolutionRule::check(std::span<const double> samples) const {

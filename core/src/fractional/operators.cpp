@@ -14,6 +14,14 @@ void require_order(double alpha) {
 // Higher orders exist, but h^β leaves the range of a double there.
 void require_beta(double beta) { support::require(beta > 0 && beta <= 10, "beta", beta, "in (0, 10]"); }
 
+/// h^power over a Γ, which all weights of a rule are multiples of.
+double weight_scale(double step, double power, double gamma) {
+  support::require_positive("step", step);
+  const double scale = std::pow(step, power) / gamma;
+  support::require(std::isnormal(scale), "step", step, "such that its power in the weights is a normal double");
+  return scale;
+}
+
 /// Σ_{k ≡ parity mod 2} C(q, k) x^k moment(k): the differences below as series about the middle, because their closed
 /// forms cancel for old samples. For |x| ≤ 1/8 twenty terms reach rounding.
 template <class Moment>
@@ -59,8 +67,7 @@ double curvature_weight(double alpha, double j) {
 
 ConvolutionRule rectangle_integral(double beta, double step, std::size_t steps) {
   require_beta(beta);
-  support::require_positive("step", step);
-  const double scale = std::pow(step, beta) / std::tgamma(beta + 1);
+  const double scale = weight_scale(step, beta, std::tgamma(beta + 1));
   // The sample x_l acts over (t_l, t_{l+1}): weight (n−l)^β − (n−l−1)^β; the last has not acted yet.
   std::vector<double> w(steps + 1);
   for (std::size_t j = 1; j <= steps; ++j) w[j] = scale * first_difference(beta, static_cast<double>(j) - 1);
@@ -74,8 +81,7 @@ ConvolutionRule rectangle_derivative(double alpha, double step, std::size_t step
 
 ConvolutionRule trapezoid_integral(double beta, double step, std::size_t steps) {
   require_beta(beta);
-  support::require_positive("step", step);
-  const double scale = std::pow(step, beta) / std::tgamma(beta + 2);
+  const double scale = weight_scale(step, beta, std::tgamma(beta + 2));
   std::vector<double> w(steps + 1), first(steps + 1);
   w[0] = scale;
   first[0] = -scale;
@@ -93,8 +99,7 @@ ConvolutionRule trapezoid_derivative(double alpha, double step, std::size_t step
 
 ConvolutionRule l1_derivative(double alpha, double step, std::size_t steps) {
   require_order(alpha);
-  support::require_positive("step", step);
-  const double scale = std::pow(step, -alpha) / std::tgamma(2 - alpha), p = 1 - alpha;
+  const double scale = weight_scale(step, -alpha, std::tgamma(2 - alpha)), p = 1 - alpha;
   std::vector<double> w(steps + 1), first(steps + 1);
   w[0] = scale;
   first[0] = -scale;
@@ -123,9 +128,8 @@ ConvolutionRule l12_derivative(double alpha, double step, std::size_t steps) {
 
 ConvolutionRule gruenwald_letnikov_derivative(double alpha, double step, std::size_t steps) {
   require_order(alpha);
-  support::require_positive("step", step);
   std::vector<double> w(steps + 1);
-  w[0] = std::pow(step, -alpha);
+  w[0] = weight_scale(step, -alpha, 1);
   for (std::size_t j = 1; j <= steps; ++j)
     w[j] = w[j - 1] * (static_cast<double>(j) - 1 - alpha) / static_cast<double>(j);
   return ConvolutionRule(std::move(w));

@@ -63,8 +63,22 @@ double resolved_time(const Interaction& interaction, double mass, double speed) 
   return stiffness > 0 ? std::min(normal, std::numbers::pi * std::sqrt(2.0 / 7 * mass / stiffness)) : normal;
 }
 
-// A finite wall would have to be there in every cell; one that moves along the axis may.
-bool same_along(const Wall& wall, Vec3 period) {
+void check_room(const ClusterSetup& setup) {
+  double radius = 0;
+  for (const auto* const spheres : {&setup.spheres, &setup.later})
+    for (const Sphere& s : *spheres) radius = std::max(radius, s.radius);
+  for (const double period : {setup.periodic.period.x, setup.periodic.period.y, setup.periodic.period.z})
+    support::require(period == 0 || (period > 4 * radius && std::isfinite(period)), "period", period,
+                     "0 or more than 4 of the greatest radius");
+  for (const Wall& wall : setup.walls)
+    support::require(radius < narrowest(wall), "radius of a cylinder or cone", narrowest(wall),
+                     "greater than that of every sphere");
+}
+
+}  // namespace
+
+bool same_along(const Wall& wall, const Periodic& periodic) noexcept {
+  const Vec3 period = periodic.period;
   const Vec3 axis = wall.inward / norm(wall.inward);
   const auto same = [&](Vec3 along) {
     if (std::holds_alternative<surface::Plane>(wall.form)) return std::abs(dot(axis, along)) <= 1e-12;
@@ -72,17 +86,6 @@ bool same_along(const Wall& wall, Vec3 period) {
   };
   return (period.x == 0 || same({1, 0, 0})) && (period.y == 0 || same({0, 1, 0})) && (period.z == 0 || same({0, 0, 1}));
 }
-
-void check_periods(const ClusterSetup& setup) {
-  double radius = 0;
-  for (const auto* const spheres : {&setup.spheres, &setup.later})
-    for (const Sphere& s : *spheres) radius = std::max(radius, s.radius);
-  for (const double period : {setup.periodic.period.x, setup.periodic.period.y, setup.periodic.period.z})
-    support::require(period == 0 || (period > 4 * radius && std::isfinite(period)), "period", period,
-                     "0 or more than 4 of the greatest radius");
-}
-
-}  // namespace
 
 StiffestContact stiffest_contact(const ClusterSetup& setup) {
   const double speed = approach_speed(setup);
@@ -126,12 +129,12 @@ void check(const ClusterSetup& setup) {
     } catch (const std::invalid_argument& wrong) {
       throw std::invalid_argument(who + " " + wrong.what());
     }
-    if (!same_along(setup.walls[w], setup.periodic.period))
+    if (!same_along(setup.walls[w], setup.periodic))
       throw std::invalid_argument(who +
                                   ": must be the same all along a periodic axis, so a plane or cylinder along it");
   }
   require_finite("gravity", setup.gravity);
-  check_periods(setup);
+  check_room(setup);
   const auto meets = [&](std::size_t a, std::size_t b) {
     const auto found = setup.interactions.find(std::minmax(a, b));
     if (found == setup.interactions.end())

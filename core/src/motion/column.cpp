@@ -46,12 +46,20 @@ Column equal_column(std::size_t beads, double mass, double gap, double velocity)
 }
 
 double kinetic_energy_ratio(const Column& column, const std::vector<double>& velocity) {
+  // In units of the greatest mass and speed, whose squares need not be doubles.
+  double mass = 0, speed = 0;
+  for (std::size_t i = 0; i < column.mass.size(); ++i) {
+    mass = std::max(mass, column.mass[i]);
+    speed = std::max(speed, std::abs(column.velocity[i]));
+  }
+  if (speed == 0) return 0;
   double before = 0, after = 0;
   for (std::size_t i = 0; i < column.mass.size(); ++i) {
-    before += column.mass[i] * column.velocity[i] * column.velocity[i];
-    after += column.mass[i] * velocity[i] * velocity[i];
+    const double share = column.mass[i] / mass, was = column.velocity[i] / speed, is = velocity[i] / speed;
+    before += share * was * was;
+    after += share * is * is;
   }
-  return before > 0 ? after / before : 0.0;
+  return after / before;
 }
 
 namespace motion {

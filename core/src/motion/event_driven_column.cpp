@@ -2,6 +2,7 @@
 
 #include <ricochet/support/require.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <queue>
@@ -91,7 +92,12 @@ EventDrivenResult event_driven_column(const Column& column, double en, std::size
   result.time = hard.time();
   result.velocity = hard.velocities();
   result.energy_ratio = kinetic_energy_ratio(column, result.velocity);
-  return result;
+  const bool finite =
+      std::all_of(result.velocity.begin(), result.velocity.end(), [](double v) { return std::isfinite(v); });
+  if (finite && std::isfinite(result.time) && std::isfinite(result.energy_ratio)) return result;
+  EventDrivenResult none;
+  none.status = EventDrivenResult::Status::out_of_range;
+  return none;
 }
 
 }  // namespace ricochet

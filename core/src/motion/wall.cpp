@@ -2,7 +2,9 @@
 
 #include <ricochet/support/require.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -50,6 +52,12 @@ struct CheckForm {
 };
 
 }  // namespace
+
+double narrowest(const Wall& wall) noexcept {
+  if (const auto* cylinder = std::get_if<surface::Cylinder>(&wall.form)) return cylinder->radius;
+  const auto* cone = std::get_if<surface::Cone>(&wall.form);
+  return cone && cone->length > 0 ? std::min(cone->first, cone->last) : std::numeric_limits<double>::infinity();
+}
 
 void check(const Wall& wall) {
   require_finite("point", wall.point);

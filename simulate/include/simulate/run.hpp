@@ -7,6 +7,9 @@
 
 namespace ricochet::simulate {
 
+/// What trajectories are written as: extended XYZ always, VTK beside it.
+enum class Format { xyz, vtk };
+
 /// Runs the scene into `folder` (made if missing): trajectory.xyz, contacts.csv, energy.csv, and state.json, from which
 /// `resume` continues to the same bytes as a run that was never stopped. SIGINT, SIGTERM and SIGHUP stop between two
 /// steps, everything written; so does a motion that is no longer finite (console::Failed), but for the steps since the
@@ -15,6 +18,7 @@ namespace ricochet::simulate {
 /// already holds a run (without `resume`), holds that of another scene, or cannot be written; console::CannotWrite when
 /// the disk is full, whole records left. `begun` is called once the folder is ready and the run begins.
 int run(
-    const Scene& scene, const std::string& folder, bool resume, const std::function<void()>& begun = [] {});
+    const Scene& scene, const std::string& folder, bool resume, const std::function<void()>& begun = [] {},
+    Format format = Format::xyz);
 
 }  // namespace ricochet::simulate

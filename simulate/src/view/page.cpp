@@ -99,6 +99,15 @@ chosen: <kbd>Space</kbd> plays and pauses, <kbd>,</kbd> and <kbd>.</kbd> step by
 (s, degrees).</p>
 )html";
 
+// The walls, and the cell of a space that repeats itself.
+std::vector<WallOutline> outlines_of(const Scene& scene, const Region& focus) {
+  std::vector<WallOutline> all = wall_outlines(scene.setup.walls, focus);
+  if (!scene.setup.periodic.any()) return all;
+  const Region cell{scene.cell_low, scene.cell_high};
+  for (const WallOutline& face : wall_outlines(box_walls(cell.low, cell.high), cell)) all.push_back(face);
+  return all;
+}
+
 Vec3 upward(const Scene& scene) {
   const double g = norm(scene.setup.gravity);
   return g > 0 ? -scene.setup.gravity / g : Vec3{0, 0, 1};
@@ -110,7 +119,7 @@ std::string view_page(const Scene& scene, const std::string& folder) {
   TrajectoryFile file(folder + "/trajectory.xyz");
   const ShownMotion motion = read_motion(file, scene.setup);
   const MotionData data =
-      motion_data(motion, wall_outlines(scene.setup.walls, motion.focus()), upward(scene), scene.setup.periodic.period);
+      motion_data(motion, outlines_of(scene, motion.focus()), upward(scene), scene.setup.periodic.period);
   const std::string title = scene.title.empty() ? "Spheres in motion" : scene.title;
   const std::string body = fmt::format(
       R"(<header>

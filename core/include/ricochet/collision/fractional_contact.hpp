@@ -49,7 +49,8 @@ double tcol_estimate(double coefficient, double alpha);
 class FractionalTrajectory {
  public:
   /// coefficient = c^α k^{1−α} [kg s^{α−2}] > 0, mass_eff [kg] > 0, velocity v₀ [m/s] > 0, −1 ≤ α < 2.
-  /// Throws std::invalid_argument otherwise.
+  /// Throws std::invalid_argument otherwise, and where a unit of the motion, time_scale(), v₀ or m v₀ times or over it,
+  /// is no normal double.
   FractionalTrajectory(double coefficient, double alpha, double mass_eff, double velocity);
 
   // At t [s] ≥ 0 after t_b, A t^{2−α} ≤ 1e6; throws std::invalid_argument otherwise. Error: that of mittag_leffler.

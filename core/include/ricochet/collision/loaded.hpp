@@ -7,17 +7,18 @@
 
 namespace ricochet {
 
-/// The binary collision under a constant load N [N] that presses the bodies together, m ζ'' + R = N: a sphere that falls
-/// on a plate has N = m g. It ends by force (25), where R falls to 0, if it does: under a load the bodies part only
-/// above some speed (`least_speed_to_part`), below it they swing about ζ(R = N) or creep, which is no_separation.
+/// The binary collision under a constant load N [N] that presses the bodies together, m ζ'' + R = N: a sphere that
+/// falls on a plate has N = m g. It ends by force (25), where R falls to 0, if it does: under a load the bodies part
+/// only above some speed (`least_speed_to_part`), below it they swing about ζ(R = N) or creep, which is no_separation.
 ///
-/// e_n = −ζ'(t_e)/v₀ falls as the speed does: what R takes out of a contact that lasts longer and longer is the
-/// law's, the load itself takes nothing (c = 0: e_n = 1 whatever the load). N T/(m v₀), T the contact's time, is the new
+/// e_n = −ζ'(t_e)/v₀ falls as the speed does: what R takes out of a contact that lasts longer and longer is the law's,
+/// the load itself takes nothing (c = 0: e_n = 1 whatever the load). N T/(m v₀), T the contact's time, is the new
 /// group. That R is 0 does not mean that the load leaves the bodies apart: `clears` tells.
 ///
-/// Any law but the fractional: generic `collide`, the load in the momentum of each step. Error: that of `collide`, times
-/// 1 + N t_col/(m v₀), which is to be below 100: beyond, whether R grazes 0 is not told. Laws that remember all are followed on Maxwell arms, of 1e-8 from t_col/300 on: error 1e-5.
-/// Throws std::invalid_argument as `collide`, and for a load that is negative or not finite.
+/// Any law but the fractional: generic `collide`, the load in the momentum of each step. Error: that of `collide`,
+/// times 1 + N t_col/(m v₀), which is to be below 100: beyond, whether R grazes 0 is not told. Laws that remember all
+/// are followed on Maxwell arms, of 1e-8 from t_col/300 on: error 1e-5. Throws std::invalid_argument as `collide`, and
+/// for a load that is negative or not finite.
 template <ContactLaw Law>
 Collision collide_under_load(const Law& law, const Impact& impact, double load, const CollideOptions& options = {});
 
@@ -74,8 +75,8 @@ Collision collide_under_load(const Law& law, const Impact& impact, double load, 
 bool clears(const Collision& out, const Impact& impact, double load);
 
 /// The speed [m/s] below which the bodies do not come off under that load > 0: there e_n stops being defined. To three
-/// digits. 0 where they still part at N t_col/(128 m), t_col that without a load, as they do at any speed where nothing is
-/// lost or the law is hysteretic; infinite where they part at none. Throws as collide_under_load.
+/// digits. 0 where they still part at N t_col/(128 m), t_col that without a load, as they do at any speed where nothing
+/// is lost or the law is hysteretic; infinite where they part at none. Throws as collide_under_load.
 double least_speed_to_part(const AnyLaw& law, double mass_eff, double load);
 
 }  // namespace ricochet

@@ -27,8 +27,9 @@ class ChebyshevSeries {
 ///
 ///   ζ' = rate(y),  R/(m A v₀) = t^{1−α} force(y),  ζ = t overlap(y),  0 ≤ y ≤ end.
 ///
-/// Domain: α < 1 (α ≥ −2), 4 ≤ nodes ≤ 120, end > 0; throws std::invalid_argument otherwise. The error is that of
-/// Chebyshev interpolation; at end = 10.5 and 24 nodes it is near rounding for all 0 ≤ α ≤ 1, see tests/contact.
+/// Domain: α < 1 (α ≥ −2), 4 ≤ nodes ≤ 120, 1e-150 ≤ end ≤ 1e150; throws std::invalid_argument otherwise. The error
+/// is that of Chebyshev interpolation; at end = 10.5 and 24 nodes it is near rounding for all 0 ≤ α ≤ 1, see
+/// tests/fractional.
 struct FractionalMotion {
   ChebyshevSeries rate, force, overlap;
 };

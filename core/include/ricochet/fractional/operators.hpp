@@ -12,7 +12,8 @@ namespace ricochet {
 /// The samples are those of the function itself or of its rate, as each rule below says. Immutable.
 class ConvolutionRule {
  public:
-  /// `first` and `second` may be empty (all zero). Throws std::invalid_argument unless lengths agree and are > 0.
+  /// `first` and `second` may be empty (all zero). Throws std::invalid_argument unless lengths agree and are > 0, and
+  /// all weights are finite.
   explicit ConvolutionRule(std::vector<double> weights, std::vector<double> first = {},
                            std::vector<double> second = {});
 
@@ -36,7 +37,8 @@ class ConvolutionRule {
 
 // The rules. Orders are of the error at a fixed time t > 0 as h → 0, for functions as smooth as the contact's own
 // motion (ζ' = v₀ + O(t^{2−α}), analytic in t^{2−α}); docs/theory/orders.md derives them. All throw
-// std::invalid_argument unless 0 < alpha < 1 (0 < beta ≤ 10), step > 0; `steps` is N.
+// std::invalid_argument unless 0 < alpha < 1 (0 < beta ≤ 10), step > 0, and where the weights, powers of h, are no
+// normal doubles; `steps` is N.
 
 /// (59) as written, from samples of the rate: D^α f = 1/Γ(2−α) [f'_0 t^{1−α} + Σ (f'_l − f'_{l−1})(t−t_l)^{1−α}]: the
 /// rate is held at its left value over each step. Order 1 (exact for f = t).

@@ -59,6 +59,10 @@ struct ClusterSetup {
   std::vector<Sphere> later{};  ///< that Cluster::add may bring; only their materials count
 };
 
+/// Whether a wall is the same all along each periodic axis: a plane or a cylinder along it. A finite one would have to
+/// be there in every cell.
+bool same_along(const Wall& wall, const Periodic& periodic) noexcept;
+
 /// Masses and speed of the stiffest meeting of a setup.
 struct StiffestContact {
   std::size_t i = 0, j = 0;  ///< bodies; walls count from spheres.size()

@@ -8,8 +8,9 @@ namespace ricochet {
 /// −e_n u. What a column of any law with constant restitution tends to as its gaps grow.
 struct EventDrivenResult {
   enum class Status {
-    separated,  ///< no neighbours approach by more than 1e-12 of the greatest initial speed
-    collapsed   ///< `limit` collisions were not enough: inelastic collapse, infinitely many in a finite time
+    separated,    ///< no neighbours approach by more than 1e-12 of the greatest initial speed
+    collapsed,    ///< `limit` collisions were not enough: inelastic collapse, infinitely many in a finite time
+    out_of_range  ///< masses, gaps or velocities so far apart that a result is no double; all others are then 0
   };
   Status status = Status::separated;
   double time = 0;               ///< of the last collision [s]

@@ -55,6 +55,10 @@ struct Wall {
 /// std::invalid_argument unless low < high.
 std::vector<Wall> box_walls(Vec3 low, Vec3 high, std::size_t material = 0);
 
+/// The least radius of a cylinder or cone, which every sphere has to be smaller than, as else it would touch in more
+/// than one point; infinite for planes, rings, discs and plates.
+double narrowest(const Wall& wall) noexcept;
+
 /// Throws std::invalid_argument naming what is wrong: a number that is not finite, no direction, a radius or length out
 /// of its domain, edges that are not at right angles (to 1e-6) or a plate that spins.
 void check(const Wall& wall);

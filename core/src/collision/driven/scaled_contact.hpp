@@ -9,8 +9,8 @@
 
 namespace ricochet::collision {
 
-/// The collision x'' + f = p, x(0) = 0, x'(0) = 1, p a constant load that presses the bodies together, in the units of its impact: velocity v₀, a time T, length v₀T, force
-/// m v₀/T. Steps it by the implicit trapezoid
+/// The collision x'' + f = p, x(0) = 0, x'(0) = 1, p a constant load that presses the bodies together, in the units of
+/// its impact: velocity v₀, a time T, length v₀T, force m v₀/T. Steps it by the implicit trapezoid
 ///   w₁ = w₀ + h p − h (f₀ + f₁)/2,  x₁ = x₀ + h (w₀ + w₁)/2,
 /// with the memory advanced along the rate that is linear from w₀ to w₁. The step is its own inverse when time runs
 /// backwards, as `advance` is exact for such a rate: errors over a smooth mesh are a series in even powers of 1/N.

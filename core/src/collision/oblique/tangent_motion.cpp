@@ -144,7 +144,7 @@ Vec3 TangentMotion::along(const View& v, Mechanism m) const {
   const Element& e = v.element[m];
   const Vec3 before = phase.heading[m];
   if (follows_motion(v, m)) return direction(v.motion[m] - e.limit / e.stiffness * v.turning[m], before);
-  const bool damped = e.damping > 0;
+  const bool damped = !rigid_ && e.damping > 0;
   const Vec3 wanted = rigid_ ? v.motion[m] : damped ? e.wanted(v.spring[m], v.motion[m]) : v.spring[m];
   if (!rigid_ && norm(wanted) <= spring_scales_[m]) return before;
   const Vec3 now = direction(wanted, before);
