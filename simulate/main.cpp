@@ -78,6 +78,7 @@ int main(int argc, char** argv) {
   console::add_version(app);
   std::string file, folder, page;
   bool resume = false;
+  int threads = 1;
   std::string format = "xyz";
   app.footer(
       "Exit code 0: done; 2: bad input; 4: the computation, or writing its result, failed; 130: interrupted, all "
@@ -85,6 +86,9 @@ int main(int argc, char** argv) {
   app.add_option("SCENE", file, "the scene file (JSON)")->required();
   app.add_option("-o,--output", folder, "the folder to write to, made if missing")->required();
   app.add_flag("--resume", resume, "go on with an interrupted run in that folder");
+  app.add_option("--threads", threads,
+                 "that share the work where no friction is rigid; results are the same to the bit")
+      ->check(CLI::Range(1, 256));
   app.add_option("--format", format,
                  "xyz, or vtk: a file a frame for ParaView as well, in DIR/vtk; a resumed run keeps its own")
       ->check(CLI::IsMember({"xyz", "vtk"}))
@@ -92,7 +96,8 @@ int main(int argc, char** argv) {
   app.add_option("--view", page,
                  "also write a page that plays the run, for a browser; with --resume, of a finished run nothing else");
   return console::run_program(app, argc, argv, [&] {
-    const simulate::Scene scene = simulate::read_scene(file, console::read_input(file));
+    simulate::Scene scene = simulate::read_scene(file, console::read_input(file));
+    scene.options.threads = threads;
     View view(file, page);
     const Asked asked{folder, resume, format == "vtk" ? simulate::Format::vtk : simulate::Format::xyz};
     const int signal = run_and_show(scene, asked, view);

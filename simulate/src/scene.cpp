@@ -313,10 +313,10 @@ void check_space(const Node& root, const Scene& scene) {
 Scene read_scene(const std::string& file, const std::string& text) {
   const console::Json json = console::parse_json(file, text, "docs/scenes.md");
   const Node root(file, text, json);
-  root.allow({"schema",    "title",        "duration",  "output_interval", "step",    "gravity",
-              "materials", "interactions", "spheres",   "start",           "lattice", "pour",
-              "walls",     "boxes",        "cylinders", "cones",           "rings",   "plates",
-              "periodic",  "outlets",      "reclosing", "insist"});
+  root.allow({"schema",       "title",           "duration", "output_interval", "step",     "gravity", "materials",
+              "interactions", "spheres",         "start",    "lattice",         "pour",     "walls",   "boxes",
+              "cylinders",    "cones",           "rings",    "plates",          "periodic", "outlets", "reclosing",
+              "insist",       "solver_tolerance"});
   if (root.has("schema")) root.at("schema").one_of({"ricochet/scene/1"});
   Scene scene;
   if (root.has("title")) scene.title = root.at("title").text();
@@ -329,6 +329,10 @@ Scene read_scene(const std::string& file, const std::string& text) {
   note_materials(root, materials, scene);
   if (root.has("reclosing") && root.at("reclosing").one_of({"repels", "silent"}) == "silent")
     scene.options.reclosing = Reclosing::silent;
+  if (root.has("solver_tolerance")) {
+    scene.options.solver_tolerance = root.at("solver_tolerance").positive();
+    if (scene.options.solver_tolerance > 0.01) root.at("solver_tolerance").reject("at most 0.01");
+  }
   check_space(root, scene);
   scene.remark = Overlaps(root, scene).look();
   // Laws by target and the step are for those that come later as well.

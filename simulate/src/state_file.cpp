@@ -186,6 +186,8 @@ ClusterState read_state(const Node& root, const Scene& scene, const Present& pre
   s.half_positions = read_vectors(root.at("half_positions"), spheres);
   s.velocities = read_vectors(root.at("velocities"), spheres);
   s.spins = read_vectors(root.at("spins"), spheres);
+  s.velocity_gains = read_vectors(root.at("velocity_gains"), spheres);
+  s.spin_gains = read_vectors(root.at("spin_gains"), spheres);
   s.velocities.resize(bodies);
   s.spins.resize(bodies);
   read_contacts(root.at("contacts"), scene, present, s);
@@ -236,6 +238,8 @@ std::string write_checkpoint(const Scene& scene, const Checkpoint& c) {
                   {"half_positions", json(s.half_positions)},
                   {"velocities", json(std::span(s.velocities).first(spheres))},
                   {"spins", json(std::span(s.spins).first(spheres))},
+                  {"velocity_gains", json(s.velocity_gains)},
+                  {"spin_gains", json(s.spin_gains)},
                   {"contacts", contacts},
                   {"lost_normal", s.lost_normal},
                   {"lost_friction", s.lost_friction},
@@ -250,9 +254,9 @@ Checkpoint read_checkpoint(const std::string& file, const std::string& text, con
   const Json json = Json::parse(text, nullptr, false);
   check_kind(file, json, scene);
   const Node root(file, text, json);
-  root.allow({"schema", "scene", "lengths", "complete", "steps", "half_positions", "velocities", "spins", "contacts",
-              "lost_normal", "lost_friction", "long_range_work", "solver", "wall_work", "brought", "format", "present",
-              "poured"});
+  root.allow({"schema", "scene",     "lengths",        "complete",   "steps",       "half_positions", "velocities",
+              "spins",  "contacts",  "velocity_gains", "spin_gains", "lost_normal", "lost_friction",  "long_range_work",
+              "solver", "wall_work", "brought",        "format",     "present",     "poured"});
   Checkpoint c;
   expect_length(root.at("lengths"), c.lengths.size(), "lengths");
   for (std::size_t k = 0; k < c.lengths.size(); ++k) c.lengths[k] = root.at("lengths").at(k).integer(0, any_integer);

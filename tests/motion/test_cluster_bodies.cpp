@@ -105,3 +105,23 @@ TEST_CASE("what an overlap at the start stores is there from time 0, and comes o
   CHECK(cluster.contacts().empty());
   CHECK(cluster.energy().kinetic == Approx(held).epsilon(1e-4));  // (h ω)²/12 = 2e-5 of it
 }
+
+TEST_CASE("a contact with a wall goes on while the spheres before it become more and fewer") {
+  ClusterSetup setup = with_springs(with_law(Linear(1e4, 0.5), Friction(0.4, 0.4, 0, 0)));
+  setup.gravity = {3, 0, -9.81};
+  setup.walls = {{.point = {0, 0, -0.01}}};
+  setup.spheres = {{.radius = 0.01, .density = 2000}};
+  Cluster alone(setup, options()), visited(setup, options());
+  alone.advance(300), visited.advance(100);
+  Sphere far = setup.spheres[0];
+  far.position = {1, 0, 5};
+  visited.add(std::vector{far, far});
+  REQUIRE(visited.contacts().size() >= 1);
+  CHECK(visited.contacts()[0].record.j == 3);
+  visited.remove(std::vector<std::uint32_t>{1, 2});
+  REQUIRE(visited.contacts().size() == 1);
+  CHECK(visited.contacts()[0].record.j == 1);
+  visited.advance(200);
+  CHECK(visited.position(0) == alone.position(0));
+  CHECK(visited.contacts()[0].elongation == alone.contacts()[0].elongation);
+}

@@ -57,6 +57,15 @@ std::string complaint(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("how sharply contacts are solved together can be said") {
+  CHECK(read_scene("s.json", good).options.solver_tolerance == ClusterOptions{}.solver_tolerance);
+  const auto asked = [](const std::string& tolerance) {
+    return with("\"duration\": 0.01,", "\"duration\": 0.01, \"solver_tolerance\": " + tolerance + ",");
+  };
+  CHECK(read_scene("s.json", asked("1e-6")).options.solver_tolerance == 1e-6);
+  CHECK(complaint(asked("0.1")) == "s.json: /solver_tolerance = 0.1: must be at most 0.01");
+}
+
 TEST_CASE("brackets in brackets end somewhere, whatever they are in") {
   const auto nested = [](std::size_t depth) {
     return with("\"duration\": 0.01", "\"duration\": " + std::string(depth, '[') + std::string(depth, ']'));

@@ -66,6 +66,8 @@ TEST_CASE("a state reads back to the last bit, every number in its own place") {
   CHECK(b.half_positions == a.half_positions);
   CHECK(b.velocities == a.velocities);
   CHECK(b.spins == a.spins);
+  CHECK(b.velocity_gains == a.velocity_gains);
+  CHECK(b.spin_gains == a.spin_gains);
   CHECK(b.lost_normal == a.lost_normal);
   CHECK(b.lost_friction == a.lost_friction);
   CHECK(b.long_range_work == a.long_range_work);

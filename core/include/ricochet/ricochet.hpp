@@ -53,10 +53,13 @@
 #include <ricochet/motion/engine/implicit_force.hpp>
 #include <ricochet/motion/engine/memory_slots.hpp>
 #include <ricochet/motion/engine/normal_contacts.hpp>
+#include <ricochet/motion/engine/surface.hpp>
 #include <ricochet/motion/event_driven_column.hpp>
 #include <ricochet/motion/linked_cells.hpp>
 #include <ricochet/motion/normal_law.hpp>
+#include <ricochet/motion/periodic.hpp>
 #include <ricochet/motion/resolved_time.hpp>
+#include <ricochet/motion/wall.hpp>
 #include <ricochet/support/panel.hpp>
 #include <ricochet/support/require.hpp>
 #include <ricochet/support/root.hpp>

@@ -41,10 +41,6 @@ bool compliant(const TangentialLaw& law) noexcept {
   return std::visit([](const auto& l) { return l.compliant; }, law);
 }
 
-Spring spring(const TangentialLaw& law, double overlap) noexcept {
-  return std::visit([=](const auto& l) { return l.spring(overlap); }, law);
-}
-
 std::vector<std::string_view> tangential_names() {
   std::vector<std::string_view> names;
   names.reserve(std::variant_size_v<TangentialLaw>);
@@ -91,49 +87,6 @@ void check(const TangentialContact& c) {
 
 namespace {
 
-/// A vector normal to `from` after the shortest turn of `from` into `to`; 1 + from·to > 0.
-Vec3 turned(Vec3 a, Vec3 from, Vec3 to) noexcept { return a - dot(to, a) / (1 + dot(from, to)) * (from + to); }
-
-}  // namespace
-
-Elongation turned(const Elongation& e, Vec3 from, Vec3 to) noexcept {
-  if (!(1 + dot(from, to) > 1e-12)) return e;
-  return {turned(e.slide, from, to), e.twist, turned(e.roll, from, to)};
-}
-
-TangentialState tangential_state(const TangentialContact& c, const Pressing& p, double speed) noexcept {
-  const double limit = c.friction.coefficient(speed) * p.force;
-  TangentialState s{
-      .sliding = spring(c.law, p.overlap),
-      .torsion = c.torsion.spring,
-      .rolling = c.rolling.spring,
-      .sliding_limit = limit,
-      .rolling_limit = (c.friction.rolling_arm() * p.contact_radius + c.rolling.mu * p.radius_eff) * p.force};
-  if (c.torsion.limit == Torsion::Limit::separate) s.torsion_limit = c.torsion.arm * p.contact_radius * limit;
-  if (c.torsion.limit == Torsion::Limit::disc) {
-    s.torsion_limit = 2.0 / 3 * p.contact_radius * limit;
-    s.disc_radius = p.contact_radius;
-  }
-  return s;
-}
-
-TangentialEnergy stored_energy(const TangentialState& s, const Elongation& e) noexcept {
-  return {0.5 * s.sliding.stiffness * dot(e.slide, e.slide), 0.5 * s.torsion.stiffness * e.twist * e.twist,
-          0.5 * s.rolling.stiffness * dot(e.roll, e.roll)};
-}
-
-namespace {
-
-struct Cut {
-  Vec3 traction;
-  bool limit = false;
-};
-
-Cut cut(Vec3 wanted, double limit) noexcept {
-  const double size = norm(wanted);
-  return size > limit ? Cut{limit / size * wanted, true} : Cut{wanted, false};
-}
-
 /// What resists over a step: k + c/dt.
 double over_step(Spring s, double dt) noexcept { return s.stiffness + s.damping / dt; }
 
@@ -161,20 +114,12 @@ void cut_by_disc(LimitedTraction& out, const TangentialState& s, const Traction&
 
 }  // namespace
 
-LimitedTraction limited(const TangentialState& s, const Traction& wanted, double dt) noexcept {
+LimitedTraction contact::limited_by_disc(const TangentialState& s, const Traction& wanted, double dt) noexcept {
   LimitedTraction out{.traction = wanted};
   const Cut rolling = cut(wanted.rolling, s.rolling_limit);
   out.traction.rolling = rolling.traction;
   out.rolls = rolling.limit;
-  if (s.disc_radius > 0) {
-    cut_by_disc(out, s, wanted, dt);
-    return out;
-  }
-  const Cut sliding = cut(wanted.sliding, s.sliding_limit);
-  out.traction.sliding = sliding.traction;
-  out.slides = sliding.limit;
-  out.twists = std::abs(wanted.torsion) > s.torsion_limit;
-  if (out.twists) out.traction.torsion = std::copysign(s.torsion_limit, wanted.torsion);
+  cut_by_disc(out, s, wanted, dt);
   return out;
 }
 

@@ -1,3 +1,5 @@
+#include "contact_rows.hpp"
+
 #include <ricochet/motion/cluster.hpp>
 
 #include <ricochet/support/require.hpp>
@@ -62,6 +64,8 @@ Cluster::Cluster(const ClusterSetup& setup, const ClusterOptions& options)
   require(tolerance >= 1e-12 && tolerance <= 0.1, "kernel_tolerance", tolerance, "in [1e-12, 0.1]");
   support::require_positive("solver_tolerance", options.solver_tolerance);
   require(options.max_sweeps >= 1, "max_sweeps", options.max_sweeps, "at least 1");
+  require(options.threads >= 1 && options.threads <= 256, "threads", options.threads, "in [1, 256]");
+  if (options.threads > 1) workers_ = std::make_unique<motion::Workers>(static_cast<std::size_t>(options.threads));
   add_bodies(setup);
   add_models(setup.interactions);
   find_touching();  // who overlaps at the start
@@ -81,6 +85,7 @@ void Cluster::add_bodies(const ClusterSetup& setup) {
     state_.spins.push_back(walls_.back().spin());
   }
   set_wall_velocities(0);
+  drags_.assign(inverse_mass_.size(), 0);
   for (std::size_t m : materials_) material_count_ = std::max(material_count_, m + 1);
   for (const Sphere& s : setup.later) material_count_ = std::max(material_count_, s.material + 1);
 }
@@ -96,11 +101,24 @@ void Cluster::add_models(const Interactions& interactions) {
     kernel_error_ = std::max(kernel_error_, normal->kernel_error());
     const TangentialContact tangential{interaction.tangential, interaction.friction, interaction.torsion,
                                        interaction.rolling};
-    Model& model = models_.emplace_back(
-        Model{tangential, false, interaction.end, interaction.breakage_energy, std::move(normal), {}});
+    Model& model = models_.emplace_back(Model{tangential,
+                                              false,
+                                              false,
+                                              interaction.end,
+                                              interaction.breakage_energy,
+                                              normal->constant_drag(),
+                                              0,
+                                              0,
+                                              std::move(normal),
+                                              {}});
     model.compliant =
         compliant(interaction.tangential) && model.rubs();  // where all limits are 0 no spring is strained
     has_springs_ = has_springs_ || model.compliant;
+    drags_vary_ = drags_vary_ || !model.drag;
+    if (!model.compliant) continue;
+    model.turns = motion::compliant::turns(tangential);
+    model.damping = spring(interaction.tangential, 0).damping;
+    model.turning_damping = std::max(interaction.torsion.spring.damping, interaction.rolling.spring.damping);
   }
 }
 
@@ -185,6 +203,10 @@ void Cluster::restore(ClusterState state) {
   if (state.half_positions.size() != size() || state.velocities.size() != size() + walls_.size() ||
       state.spins.size() != state.velocities.size())
     throw std::invalid_argument("state: must be of the same spheres and walls");
+  for (std::vector<Vec3>* gains : {&state.velocity_gains, &state.spin_gains}) {
+    if (gains->empty()) gains->resize(size());
+    if (gains->size() != size()) throw std::invalid_argument("state: must have one gain a sphere, or none");
+  }
   check_contacts(state);
   for (const ContactState& c : state_.contacts) models_[c.model].normal->forget(c);
   state_ = std::move(state);
@@ -197,6 +219,8 @@ void Cluster::restore(ClusterState state) {
   }
   state_.memories.clear();
   group_contacts();
+  mark_closed();
+  sum_drags();
 }
 
 std::optional<Breakthrough> Cluster::breakthrough() const noexcept {

@@ -1,4 +1,6 @@
 // Where the bodies of a cluster are to each other, walls that move, and spheres that come and go.
+#include "contact_rows.hpp"
+
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
@@ -8,53 +10,30 @@
 
 namespace ricochet {
 
-// From the centre of one sphere to that of another, across a border where that is nearer.
-Vec3 Cluster::branch(std::uint32_t i, std::uint32_t j) const noexcept {
-  const Vec3 way = state_.half_positions[j] - state_.half_positions[i];
-  return periodic_.any() ? periodic_.shortest(way) : way;
-}
-
-ContactGeometry Cluster::geometry(std::uint32_t i, std::uint32_t j) const noexcept {
-  if (j < size()) return sphere_sphere({}, radii_[i], branch(i, j), radii_[j]);
-  return wall_of(j).meet(state_.half_positions[i], radii_[i], middle());
-}
-
-Vec3 Cluster::relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept {
-  return state_.velocities[i] - (j < size() || !walls_drive_ ? state_.velocities[j] : wall_velocity(i, j));
-}
-
-// Of the wall's surface where the sphere touches it in the middle of the step.
-Vec3 Cluster::wall_velocity(std::uint32_t i, std::uint32_t j) const noexcept {
-  const motion::Surface& wall = wall_of(j);
-  if (!wall.spins()) return state_.velocities[j];
-  const ContactGeometry g = geometry(i, j);
-  return state_.velocities[j] + wall.swept(state_.half_positions[i] + g.arm_i * g.normal, middle());
-}
-
 void Cluster::set_wall_velocities(double when) noexcept {
   for (std::size_t w = 0; w < walls_.size(); ++w) state_.velocities[size() + w] = walls_[w].velocity(when);
 }
 
 // What the slip gains while a sphere flies on along a surface that is no fixed plane.
 Vec3 Cluster::wall_turning(const ContactState& c, double time_on) const noexcept {
-  const std::uint32_t i = c.record.i, j = c.record.j;
-  return motion::slip_gain(wall_of(j),
-                           {.position = state_.half_positions[i],
-                            .velocity = state_.velocities[i],
-                            .spin = state_.spins[i],
-                            .radius = radii_[i],
-                            .wall_velocity = state_.velocities[j]},
+  const Motion& sphere = motions_[c.record.i];
+  return motion::slip_gain(wall_of(c.record.j),
+                           {.position = state_.half_positions[c.record.i],
+                            .velocity = sphere.velocity,
+                            .spin = sphere.spin,
+                            .radius = radii_[c.record.i],
+                            .wall_velocity = motions_[c.record.j].velocity},
                            middle(), time_on);
 }
 
 // The sphere gains P·V and couple·Ω, over what the relative motion books: V that of the surface, halfway.
-void Cluster::note_wall_work(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f,
-                             Vec3 before) noexcept {
+double Cluster::wall_work(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f,
+                          Vec3 before) const noexcept {
   const std::uint32_t i = c.record.i, j = c.record.j;
-  if (j < size() || !wall_of(j).drives()) return;
+  if (j < size() || !wall_of(j).drives()) return 0;
   const Vec3 couple = f.torsion * g.normal + cross(g.normal, f.rolling);
   const Vec3 mean = wall_velocity(i, j) + 0.5 * (before - state_.velocities[j]);
-  state_.wall_work += dot(f.sliding - normal * g.normal, mean) + dot(couple, state_.spins[j]);
+  return dot(f.sliding - normal * g.normal, mean) + dot(couple, state_.spins[j]);
 }
 
 // Whether a wall has come nearer than the list of candidates allows for: half a skin, as for a sphere.
@@ -82,6 +61,8 @@ void Cluster::add_sphere(const Sphere& s) {
   materials_.insert(materials_.begin() + at, s.material);
   state_.velocities.insert(state_.velocities.begin() + at, s.velocity);
   state_.spins.insert(state_.spins.begin() + at, s.spin);
+  state_.velocity_gains.emplace_back();
+  state_.spin_gains.emplace_back();
   masses_.push_back(s.mass());
   inertias_.push_back(s.inertia());
   state_.half_positions.push_back(s.position + 0.5 * options_.step * s.velocity);
@@ -106,7 +87,9 @@ void Cluster::add(std::span<const Sphere> spheres) {
     radii_.push_back(s.radius);
   }
   renumber_walls(there);
+  sum_drags();
   neighbours_ = NeighbourList(radii_, neighbours_.skin(), periodic_.period);
+  candidates_.clear(), closed_.clear();
   state_.brought += energy().mechanical() - before;
 }
 
@@ -137,10 +120,14 @@ void Cluster::remove(std::span<const std::uint32_t> leaving) {
     return ends;
   });
   for (auto* const of_bodies : {&inverse_mass_, &inverse_inertia_, &radii_, &masses_, &inertias_}) close_up(*of_bodies);
-  for (auto* const of_bodies : {&state_.half_positions, &state_.velocities, &state_.spins}) close_up(*of_bodies);
+  for (auto* const of_bodies :
+       {&state_.half_positions, &state_.velocities, &state_.spins, &state_.velocity_gains, &state_.spin_gains})
+    close_up(*of_bodies);
   close_up(materials_);
   group_contacts();
+  sum_drags();
   neighbours_ = NeighbourList(radii_, neighbours_.skin(), periodic_.period);
+  candidates_.clear(), closed_.clear();
   state_.brought += energy().mechanical() - before;
 }
 

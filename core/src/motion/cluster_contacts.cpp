@@ -1,4 +1,6 @@
 // How contacts of a cluster begin and end.
+#include "contact_rows.hpp"
+
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
@@ -38,9 +40,10 @@ void Cluster::list_candidates() {
       if (walls_[w].meet(state_.half_positions[i], radii_[i], middle()).overlap >= -neighbours_.skin())
         candidates_.push_back({i, static_cast<std::uint32_t>(size()) + w});
   }
+  mark_closed();
 }
 
-bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
+inline bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
   if (j >= size()) return geometry(i, j).overlap > 0;
   const Vec3 d = branch(i, j);
   const double reach = radii_[i] + radii_[j];
@@ -50,13 +53,30 @@ bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
 void Cluster::find_touching() {
   if (neighbours_.update(state_.half_positions) || walls_moved()) list_candidates();
   std::vector<ContactState> born;
-  auto known = state_.contacts.begin();
-  for (const NearPair& pair : candidates_) {
-    while (known != state_.contacts.end() && std::pair(known->record.i, known->record.j) < std::pair(pair.i, pair.j))
-      ++known;
-    if (known != state_.contacts.end() && known->record.i == pair.i && known->record.j == pair.j) continue;
-    if (touches(pair.i, pair.j)) born.push_back(begin_contact(pair.i, pair.j));
+  if (workers_) {
+    touching_.resize(candidates_.size());
+    workers_->share(candidates_.size(), 64, [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t k = first; k < last; ++k) touching_[k] = touches(candidates_[k].i, candidates_[k].j) ? 1 : 0;
+    });
   }
+  for (std::size_t k = 0; k < candidates_.size(); ++k) {
+    const auto [i, j] = candidates_[k];
+    if ((workers_ ? touching_[k] != 0 : touches(i, j)) == (closed_[k] != 0)) continue;
+    if (closed_[k] == 0) {
+      born.push_back(begin_contact(i, j));
+      closed_[k] = 1;
+      add_drag(born.back(), 1);
+    } else {
+      const auto first = state_.contacts.begin();
+      const auto c =
+          std::lower_bound(first, state_.contacts.end(), candidates_[k], [](const ContactState& a, NearPair b) {
+            return NearPair{a.record.i, a.record.j} < b;
+          });
+      separated_.push_back(static_cast<std::uint32_t>(c - first));
+      closed_[k] = 0;
+    }
+  }
+  drop_separated();
   if (born.empty()) return;
   const auto middle = static_cast<std::ptrdiff_t>(state_.contacts.size());
   state_.contacts.insert(state_.contacts.end(), born.begin(), born.end());
@@ -67,6 +87,22 @@ void Cluster::find_touching() {
 void Cluster::group_contacts() {
   for (Model& model : models_) model.members.clear();
   for (std::uint32_t k = 0; k < state_.contacts.size(); ++k) models_[state_.contacts[k].model].members.push_back(k);
+}
+
+// Candidates and contacts are both in the order of their pairs. A contact that is no candidate has flown apart by more
+// than the skin.
+void Cluster::mark_closed() {
+  closed_.assign(candidates_.size(), 0);
+  separated_.clear();
+  std::size_t near = 0;
+  for (std::uint32_t k = 0; k < state_.contacts.size(); ++k) {
+    const NearPair pair{state_.contacts[k].record.i, state_.contacts[k].record.j};
+    while (near < candidates_.size() && candidates_[near] < pair) ++near;
+    if (near < candidates_.size() && candidates_[near] == pair)
+      closed_[near] = 1;
+    else
+      separated_.push_back(k);
+  }
 }
 
 ContactState Cluster::begin_contact(std::uint32_t i, std::uint32_t j) {
@@ -121,31 +157,32 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
     const double slope = span > 0 ? (at_separation - c.force) / span : 0.0;
     const double impulse = by_force ? -0.5 * slope * rest * std::max(0.0, rest) : at_separation * rest;
     push(c, g, impulse);
-    note_wall_work(c, g, impulse, {}, state_.velocities[j]);
+    state_.wall_work += wall_work(c, g, impulse, {}, state_.velocities[j]);
     state_.lost_normal += impulse * rate;
   }
   state_.lost_normal += c.stored;  // what the memory still held is forgotten
   state_.lost_friction += c.strained;
   models_[c.model].normal->forget(c);
-  finished_.push_back(c.record);
+  if (options_.records) finished_.push_back(c.record);
 }
 
 void Cluster::drop_separated() {
-  std::size_t kept = 0;
+  if (separated_.empty()) return;
+  std::sort(separated_.begin(), separated_.end());
   auto& contacts = state_.contacts;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const ContactGeometry g = geometry(contacts[k].record.i, contacts[k].record.j);
-    if (g.overlap > 0) {
-      rows_[kept].geometry = g;
-      if (kept != k) contacts[kept] = contacts[k];
-      ++kept;
+  std::size_t kept = separated_.front();
+  auto next = separated_.begin();
+  for (std::size_t k = kept; k < contacts.size(); ++k) {
+    if (next != separated_.end() && *next == k) {
+      ++next;
+      add_drag(contacts[k], -1);
+      finish(contacts[k], geometry(contacts[k].record.i, contacts[k].record.j));
     } else {
-      finish(contacts[k], g);
+      contacts[kept++] = contacts[k];
     }
   }
-  if (kept == contacts.size()) return;
-  contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(kept), contacts.end());
-  rows_.resize(kept);
+  contacts.resize(kept);
+  separated_.clear();
   group_contacts();
 }
 

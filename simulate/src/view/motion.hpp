@@ -12,13 +12,13 @@ namespace ricochet::simulate {
 
 /// Two spheres that overlap, by their places in the frame.
 struct SeenPair {
-  std::uint32_t i, j;
+  std::uint32_t i = 0, j = 0;
 };
 
 /// A sphere that overlaps a wall, and the unit vector from its centre towards the wall.
 struct SeenTouch {
-  std::uint32_t i;
-  Vec3 towards;
+  std::uint32_t i = 0;
+  Vec3 towards{};
 };
 
 /// A box along the axes.

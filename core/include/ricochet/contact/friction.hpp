@@ -27,8 +27,9 @@ class Friction {
   Friction(double mu_static, double mu_dynamic, double decay, double rolling_arm = 0);
 
   double coefficient(double speed) const noexcept {
-    return mu_dynamic_ + (mu_static_ - mu_dynamic_) * std::exp(-decay_ * speed);
+    return mu_dynamic_ + (mu_static_ - mu_dynamic_) * (depends_on_speed() ? std::exp(-decay_ * speed) : 1.0);
   }
+  bool depends_on_speed() const noexcept { return decay_ > 0 && mu_static_ > mu_dynamic_; }
   double mu_static() const noexcept { return mu_static_; }
   double mu_dynamic() const noexcept { return mu_dynamic_; }
   double decay() const noexcept { return decay_; }

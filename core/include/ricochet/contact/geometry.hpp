@@ -18,16 +18,20 @@ struct ContactGeometry {
 
 /// Two spheres. The lens exists for 0 < ζ < 2 min(r_i, r_j); outside, `radius` is 0. Coincident centres have no
 /// normal: they get e_z, so that nothing downstream meets a NaN.
-inline ContactGeometry sphere_sphere(Vec3 xi, double ri, Vec3 xj, double rj) noexcept {
+/// Whoever has no use for the disc leaves it out.
+inline ContactGeometry sphere_sphere(Vec3 xi, double ri, Vec3 xj, double rj, bool disc = true) noexcept {
   const Vec3 branch = xj - xi;
   const double d = norm(branch);
   ContactGeometry g;
-  g.normal = d > 0 ? branch / d : Vec3{0, 0, 1};
+  const double per_d = d > 0 ? 1 / d : 0;
+  g.normal = d > 0 ? per_d * branch : Vec3{0, 0, 1};
   g.overlap = ri + rj - d;
   const double z = g.overlap;
-  const double lens = z * (2 * ri - z) * (2 * rj - z) * (2 * (ri + rj) - z);
-  g.radius = d > 0 && z < 2 * std::min(ri, rj) ? 0.5 * std::sqrt(std::max(0.0, lens)) / d : 0.0;
-  g.arm_i = d > 0 ? ri - z * (2 * rj - z) / (2 * d) : 0.0;
+  if (disc && z < 2 * std::min(ri, rj)) {
+    const double lens = z * (2 * ri - z) * (2 * rj - z) * (2 * (ri + rj) - z);
+    g.radius = 0.5 * std::sqrt(std::max(0.0, lens)) * per_d;
+  }
+  g.arm_i = d > 0 ? ri - 0.5 * z * (2 * rj - z) * per_d : 0.0;
   g.arm_j = d - g.arm_i;
   return g;
 }

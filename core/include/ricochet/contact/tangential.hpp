@@ -102,7 +102,9 @@ std::string_view name(const TangentialLaw& law) noexcept;
 std::span<const Parameter> parameters_of(const TangentialLaw& law) noexcept;
 std::vector<double> values(const TangentialLaw& law);
 bool compliant(const TangentialLaw& law) noexcept;
-Spring spring(const TangentialLaw& law, double overlap) noexcept;
+inline Spring spring(const TangentialLaw& law, double overlap) noexcept {
+  return std::visit([=](const auto& l) { return l.spring(overlap); }, law);
+}
 /// All names, in the order of the list.
 std::vector<std::string_view> tangential_names();
 /// The parameters of the law of that name; nullopt for a name that no law has.
@@ -152,9 +154,17 @@ struct Elongation {
   bool operator==(const Elongation&) const = default;
 };
 
+/// A vector that is normal to the unit vector `from` after the shortest turn of `from` into `to`.
+inline Vec3 turned(Vec3 a, Vec3 from, Vec3 to) noexcept {
+  const double nearness = 1 + dot(from, to);
+  return nearness > 1e-12 ? a - dot(to, a) / nearness * (from + to) : a;
+}
+
 /// The elongation after the normal has turned from one unit vector to another by the shortest way; lengths are kept.
 /// Opposite normals (a step that passes through a body) leave it as it is.
-Elongation turned(const Elongation& elongation, Vec3 from, Vec3 to) noexcept;
+inline Elongation turned(const Elongation& e, Vec3 from, Vec3 to) noexcept {
+  return {turned(e.slide, from, to), e.twist, turned(e.roll, from, to)};
+}
 
 /// How a contact is pressed together.
 struct Pressing {
@@ -185,11 +195,32 @@ struct TangentialState {
   double rolling_limit = 0;  ///< [N m]
   double disc_radius = 0;    ///< a [m] where sliding and torsion share the disc's limit curve, else 0
 };
-/// `speed` |u_t| [m/s].
-TangentialState tangential_state(const TangentialContact& contact, const Pressing& pressing, double speed) noexcept;
+/// `speed` |u_t| [m/s]; `sliding` the spring at the overlap.
+inline TangentialState tangential_state(const TangentialContact& c, const Pressing& p, double speed,
+                                        Spring sliding) noexcept {
+  const double limit = c.friction.coefficient(speed) * p.force;
+  TangentialState s{
+      .sliding = sliding,
+      .torsion = c.torsion.spring,
+      .rolling = c.rolling.spring,
+      .sliding_limit = limit,
+      .rolling_limit = (c.friction.rolling_arm() * p.contact_radius + c.rolling.mu * p.radius_eff) * p.force};
+  if (c.torsion.limit == Torsion::Limit::separate) s.torsion_limit = c.torsion.arm * p.contact_radius * limit;
+  if (c.torsion.limit == Torsion::Limit::disc) {
+    s.torsion_limit = 2.0 / 3 * p.contact_radius * limit;
+    s.disc_radius = p.contact_radius;
+  }
+  return s;
+}
+inline TangentialState tangential_state(const TangentialContact& c, const Pressing& p, double speed) noexcept {
+  return tangential_state(c, p, speed, spring(c.law, p.overlap));
+}
 
 /// ½k_tξ² and the like.
-TangentialEnergy stored_energy(const TangentialState& state, const Elongation& elongation) noexcept;
+inline TangentialEnergy stored_energy(const TangentialState& s, const Elongation& e) noexcept {
+  return {0.5 * s.sliding.stiffness * dot(e.slide, e.slide), 0.5 * s.torsion.stiffness * e.twist * e.twist,
+          0.5 * s.rolling.stiffness * dot(e.roll, e.roll)};
+}
 
 /// A traction cut to the limits.
 struct LimitedTraction {
@@ -199,7 +230,30 @@ struct LimitedTraction {
 /// The admissible traction nearest to `wanted`, where nearness is energy in springs of the given stiffnesses (k + c/dt
 /// over a step): sliding and rolling shrink along themselves, as does torsion, unless it shares the disc's curve.
 /// This is the law of greatest dissipation, whence no history makes energy.
-LimitedTraction limited(const TangentialState& state, const Traction& wanted, double dt) noexcept;
+inline LimitedTraction limited(const TangentialState& state, const Traction& wanted, double dt) noexcept;
+
+namespace contact {
+/// `limited` where sliding and torsion share the disc's curve.
+LimitedTraction limited_by_disc(const TangentialState& state, const Traction& wanted, double dt) noexcept;
+
+struct Cut {
+  Vec3 traction;
+  bool limit = false;
+};
+inline Cut cut(Vec3 wanted, double limit) noexcept {
+  const double square = dot(wanted, wanted);
+  return square > limit * limit ? Cut{limit / std::sqrt(square) * wanted, true} : Cut{wanted, false};
+}
+}  // namespace contact
+
+inline LimitedTraction limited(const TangentialState& s, const Traction& wanted, double dt) noexcept {
+  if (s.disc_radius > 0) return contact::limited_by_disc(s, wanted, dt);
+  const contact::Cut sliding = contact::cut(wanted.sliding, s.sliding_limit);
+  const contact::Cut rolling = contact::cut(wanted.rolling, s.rolling_limit);
+  const bool twists = std::abs(wanted.torsion) > s.torsion_limit;
+  const double torsion = twists ? std::copysign(s.torsion_limit, wanted.torsion) : wanted.torsion;
+  return {{sliding.traction, torsion, rolling.traction}, sliding.limit, twists, rolling.limit};
+}
 
 /// Elongation after a step dt [s] in which `traction` acted: (c ξ/dt − T)/(k + c/dt), which is ξ plus the motion while
 /// the contact sticks, and what the slider left where it slid. dt = ∞: −T/k, at once.

@@ -5,6 +5,7 @@
 #include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/engine/compliant_contact.hpp>
 #include <ricochet/motion/engine/surface.hpp>
+#include <ricochet/motion/engine/workers.hpp>
 #include <ricochet/motion/linked_cells.hpp>
 
 #include <cstdint>
@@ -31,6 +32,11 @@ struct ClusterOptions {
   Reclosing reclosing = Reclosing::repels;
   double solver_tolerance = 1e-10;  ///< on impulses, relative to the greatest of the step; 1e-6 serves in packings
   int max_sweeps = 100;             ///< over all contacts, a step
+  /// Whether contacts note the phases they go through (Encounter::phase_begin) and collisions are kept for
+  /// take_finished.
+  bool records = true;
+  /// That share the steps which need no sweeps, in [1, 256]; no result differs by a bit from that of one.
+  int threads = 1;
 };
 
 /// The energies of a cluster [J]. `total` is constant up to the scheme's error; `lost_*` are what dashpots, clamped
@@ -62,6 +68,8 @@ struct ClusterState {
   double lost_normal = 0, lost_friction = 0, long_range_work = 0, wall_work = 0, brought = 0;
   std::uint64_t unconverged = 0;  ///< steps that ended at max_sweeps
   double worst_change = 0;  ///< of their last sweeps' greatest changes, relative to the greatest impulse of the step
+  /// By contacts in the last step, of spheres; empty: none.
+  std::vector<Vec3> velocity_gains, spin_gains;
 };
 
 /// Where a motion says nothing any more: bodies that went into each other by more than 1.5 of the smaller radius (the
@@ -80,8 +88,12 @@ struct Breakthrough {
 ///
 /// Scheme. Velocities live at t_n, positions at t_{n+1/2} (leapfrog). In the middle of a step every contact passes one
 /// impulse at its contact point, so momentum and angular momentum are conserved to rounding, whatever the step and the
-/// laws. Impulses are implicit in the velocities: R by the midpoint rule on the step's mean velocity, friction as in
-/// friction_impulse, or by springs as in engine/compliant_contact.hpp, found together by sweeps over the contacts.
+/// laws. Impulses are implicit in the contact's own velocities: R by the midpoint rule on the step's mean velocity,
+/// friction as in friction_impulse, or by springs as in engine/compliant_contact.hpp. Where all contacts are smooth or
+/// have springs, and the step resolves their dashpots (½h Σc/m ≤ 1/4 of each sphere), a contact takes of others what
+/// they passed in the last step: once through all contacts, linear in their number. Else impulses are found together by
+/// sweeps. A contact takes 288 bytes (ContactState), its law's memory and 8 bytes a pair of the neighbour list; sweeps
+/// take some 900 more.
 /// Between two middles each sphere flies straight, so t_b is the root of a quadratic; from t_b to the end of that step
 /// the pair is integrated by itself on a finer, graded mesh. Where the force falls to zero inside a step, the impulse
 /// stops there.
@@ -142,9 +154,11 @@ class Cluster {
   // The contacts of one interaction.
   struct Model {
     TangentialContact tangential;
-    bool compliant;
+    bool compliant, turns;
     ContactEnd end;
     double breakage_energy;
+    std::optional<double> drag;       // of the normal law, where it is one
+    double damping, turning_damping;  // of springs in the tangent plane
     std::unique_ptr<motion::NormalContacts> normal;
     std::vector<std::uint32_t> members;  // which of all contacts, ascending
     bool rubs() const noexcept {
@@ -155,48 +169,97 @@ class Cluster {
     double normal = 0;
     FrictionImpulse friction;
   };
-  // A contact during a step besides its NormalRow; the solver sees nothing else.
+  // A contact during a step that is solved by sweeps, besides its geometry and NormalRow.
   struct Row {
-    ContactGeometry geometry;
     SlipMobility mobility;
     SlipMotion before;
     Vec3 turning;
     FrictionSolution friction;
     Pulse before_sweep, direction;
   };
+  // What a contact passes in a step that needs no sweeps, and what is to be booked of it.
+  struct Passed {
+    std::uint32_t i, j;
+    Vec3 linear, on_i, on_j;  // impulse on i and torques
+    double lost_normal, lost_friction, wall_work;
+  };
+  // How a contact moved over a step, for its record.
+  struct Course {
+    double rate_mid;
+    SlipMotion before, after;
+    bool sticks;
+    double slip_fraction;
+  };
+  // A body over a step: all that its contacts ask of it, side by side.
+  struct Motion {
+    Vec3 velocity, spin;          // at its start
+    Vec3 velocity_mid, spin_mid;  // in its middle, foreseen; at last the mean of start and end
+    Vec3 position;                // in its middle
+    double radius = 0, inverse_mass = 0, inverse_inertia = 0;
+  };
 
   void add_bodies(const ClusterSetup& setup);
   void add_models(const Interactions& interactions);
   std::uint32_t model_of(std::uint32_t i, std::uint32_t j) const noexcept;
-  ContactGeometry geometry(std::uint32_t i, std::uint32_t j) const noexcept;
+  ContactGeometry geometry(std::uint32_t i, std::uint32_t j, bool disc = true) const noexcept;
   const motion::Surface& wall_of(std::uint32_t j) const noexcept { return walls_[j - size()]; }
   Vec3 branch(std::uint32_t i, std::uint32_t j) const noexcept;
   double middle() const noexcept { return time() + 0.5 * options_.step; }
   Vec3 wall_velocity(std::uint32_t i, std::uint32_t j) const noexcept;
   Vec3 wall_turning(const ContactState& c, double time_on) const noexcept;
+  Vec3 swept(const ContactState& c, const ContactGeometry& g) const noexcept;
+  Vec3 turning(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
   void set_wall_velocities(double when) noexcept;
-  void note_wall_work(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f,
-                      Vec3 before) noexcept;
+  double wall_work(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f,
+                   Vec3 before) const noexcept;
   bool walls_moved() noexcept;
   bool crossed(const ContactState& c) const noexcept;
   void add_sphere(const Sphere& s);
   void renumber_walls(std::size_t spheres_before);
   Vec3 relative_velocity(std::uint32_t i, std::uint32_t j) const noexcept;
   SlipMotion slip_motion(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
+  SlipMotion slip_before(const ContactState& c, const ContactGeometry& g) const noexcept;
+  SlipMotion mean_slip(const ContactState& c, const ContactGeometry& g) const noexcept;
 
   void kick_by_fields();
+  void note_start();
+  void note_end();
   void list_candidates();
   void find_touching();
   void drop_separated();
+  void mark_closed();
   bool touches(std::uint32_t i, std::uint32_t j) const noexcept;
   ContactState begin_contact(std::uint32_t i, std::uint32_t j);
   void group_contacts();
   void finish(ContactState& contact, const ContactGeometry& g);
+  void prepare_normals();
   void prepare_rows();
-  void prepare_friction(const ContactState& contact, Vec3 velocity, Row& row) const noexcept;
+  void prepare_friction(std::size_t contact) noexcept;
+  SlipMobility slip_mobility(const ContactState& contact, const ContactGeometry& g) const noexcept;
   Friction rigid_friction(const ContactState& contact, const ContactGeometry& g) const;
   double radius_eff(const ContactState& contact) const noexcept;
-  motion::CompliantRow compliant_row(const ContactState& contact, Vec3 velocity, const Row& row) const noexcept;
+  template <bool Turns>
+  motion::CompliantRow compliant_row(const ContactState& c, const ContactGeometry& g,
+                                     double since_touch) const noexcept;
+  motion::NormalRow normal_row(const ContactState& c, const ContactGeometry& g) const noexcept;
+  void add_drag(const ContactState& c, std::int64_t sign) noexcept;
+  void sum_drags() noexcept;
+  bool needs_no_sweeps();
+  ContactGeometry geometry_of(const ContactState& c) const noexcept;
+  void foresee() noexcept;
+  void pass_at_once();
+  struct Workspace;
+  void pass_range(std::size_t first, std::size_t last, std::span<Passed> passed);
+  void pass_block(std::uint32_t first, std::uint32_t last, Workspace& space, std::span<Passed> passed);
+  void gather(std::span<const Passed> passed) noexcept;
+  void pass(ContactState& c, const ContactGeometry& g, motion::NormalRow& along, Passed& passed) noexcept;
+  Vec3 normal_then(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
+  void pass_slide(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
+                  Passed& passed, Course* course) const noexcept;
+  template <bool Turns>
+  void pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
+                    Passed& passed, Course* course) const noexcept;
+  void note_course(ContactState& c, const ContactGeometry& g, double rate_mid, Course course) const noexcept;
   motion::NormalBatch batch(const Model& model) noexcept;
   void push(const ContactState& c, const ContactGeometry& g, double normal) noexcept;
   void apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept;
@@ -205,10 +268,11 @@ class Cluster {
   double accelerate(double last, bool restart) noexcept;
   void solve();
   void conclude();
-  void conclude_friction(ContactState& contact, const Row& row, const SlipMotion& after);
-  void conclude_springs(std::size_t contact, const SlipMotion& after);
-  void note_phases(ContactState& contact, const Row& row, double rate_mid, const SlipMotion& after) const;
-  static EncounterEnd how_it_ended(const ContactState& contact, double rate_mid, const Row& row) noexcept;
+  double friction_loss(std::size_t contact);
+  double conclude_springs(std::size_t contact, const SlipMotion& mean);
+  void note_phases(ContactState& contact, const ContactGeometry& g, const Course& course) const noexcept;
+  void note_end_of_contact(ContactState& c, const ContactGeometry& g, const motion::NormalRow& row) const noexcept;
+  EncounterEnd how_it_ended(const ContactState& contact, const ContactGeometry& g, double rate_mid) const noexcept;
   void note_breakage(ContactState& contact, double mobility) const noexcept;
   void check_contacts(const ClusterState& state) const;
 
@@ -229,12 +293,22 @@ class Cluster {
   ClusterState state_;  // without memories; velocities and spins of walls follow those of the spheres
   NeighbourList neighbours_;
   std::vector<NearPair> candidates_;
-  std::vector<Row> rows_;
-  std::vector<motion::NormalRow> normals_;     // of the same contacts
+  std::vector<char> closed_;                 // whether they are in contact
+  std::vector<char> touching_;               // whether they overlap now; of several threads
+  std::vector<std::uint32_t> separated_;     // contacts that are to end
+  std::vector<Motion> motions_;              // of bodies
+  std::vector<ContactGeometry> geometries_;  // of contacts, in the middle of the step
+  std::vector<motion::NormalRow> normals_;   // of the same contacts
+  std::vector<std::int64_t> drags_;          // of bodies; whole numbers, so that their sums do not depend on the order
+  std::int64_t braked_ = 0;                  // bodies with too many
+  bool drags_vary_ = false;                  // from step to step in a contact
+  std::vector<Row> rows_;                    // of the same contacts, else
   std::vector<motion::CompliantRow> springs_;  // of the same contacts; none where no interaction has any
   bool has_springs_ = false;
   std::vector<Vec3> field_forces_;
   std::vector<Encounter> finished_;
+  std::unique_ptr<motion::Workers> workers_;  // where there are several
+  std::vector<Passed> passed_;                // theirs
   std::size_t rebuilds_ = 0;
   int sweeps_ = 0;
   bool converged_ = true;

@@ -58,4 +58,14 @@ inline AffineForce implicit_force(const FractionalArms& law, Approach before, Ap
   return {force_after(law, before, at, memory, dt), law.rate_gain(dt)};
 }
 
+/// Whether the slope of a law is the same in every contact.
+template <class Law>
+inline constexpr bool constant_slope = false;
+template <>
+inline constexpr bool constant_slope<Linear> = true;
+template <>
+inline constexpr bool constant_slope<Hysteretic> = true;
+template <>
+inline constexpr bool constant_slope<FractionalArms> = true;
+
 }  // namespace ricochet::motion

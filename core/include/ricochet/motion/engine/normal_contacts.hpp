@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,7 @@ struct NormalRow {
   double rate = 0;           ///< ζ' at the step's start [m/s]
   double mobility = 0;       ///< 1/m_i + 1/m_j [1/kg]
   double duration = 0;       ///< Δt [s], or 0: the impulse is fixed
+  double since_touch = 0;    ///< of a fresh contact, at the step's end [s]
   double fixed_impulse = 0;  ///< then [N s]
   double force = 0;          ///< R(ζ') = force + slope·(ζ' − rate) [N]
   double slope = 0;          ///< [N s/m]
@@ -27,11 +29,14 @@ struct NormalRow {
   double loss = 0;           ///< what dashpots and the clamp have taken [J]
 };
 
-/// Some of a cluster's contacts and their rows, by index.
+/// Some of a cluster's contacts, by index, and their rows, which begin with that of contact `first`.
 struct NormalBatch {
   std::span<const std::uint32_t> members;
   std::span<ContactState> contacts;
   std::span<NormalRow> rows;
+  std::size_t first = 0;
+
+  NormalRow& row(std::uint32_t contact) const noexcept { return rows[contact - first]; }
 };
 
 /// All contacts of one interaction: they share the law, and their memories lie side by side. The cluster asks for whole
@@ -57,6 +62,10 @@ class NormalContacts {
   /// Brings memories to the middle of the step, `middle` [s], given the rows' `impulse` and `rate_mid`; fills in `loss`
   /// and notes where a force has ended.
   virtual void conclude(const NormalBatch& batch, double middle) = 0;
+  /// How fast the force grows with the rate over a step that begins with the contact as it is [N s/m].
+  virtual double drag(const ContactState& contact, double mobility) const = 0;
+  /// The same where it is that of every contact.
+  virtual std::optional<double> constant_drag() const noexcept = 0;
   /// The signed force `span` [s] after the contact's approach, at another [N].
   virtual double force_at(const ContactState& contact, Approach then, double span) const = 0;
 
@@ -95,7 +104,7 @@ class NormalContactsOf final : public NormalContacts {
   void prepare(const NormalBatch& batch) override {
     for (const std::uint32_t k : batch.members) {
       ContactState& c = batch.contacts[k];
-      NormalRow& row = batch.rows[k];
+      NormalRow& row = batch.row(k);
       if (c.fresh) {
         touch(c, row);
         row.impulse = row.fixed_impulse;
@@ -111,16 +120,25 @@ class NormalContactsOf final : public NormalContacts {
   void conclude(const NormalBatch& batch, double middle) override {
     for (const std::uint32_t k : batch.members) {
       ContactState& c = batch.contacts[k];
-      c.normal_impulse = batch.rows[k].impulse;
+      NormalRow& row = batch.row(k);
+      c.normal_impulse = row.impulse;
       if (!std::exchange(c.fresh, false)) {
         const Approach before = c.approach;
         const double span = c.lag;
-        advance(c, batch.rows[k], middle);
+        advance(c, row, middle);
         if (fades_) note_rest(c, before.rate, middle, span);
       } else if (c.record.end != Encounter::never) {
         c.record.how = EncounterEnd::deformed_rebound;
       }
     }
+  }
+
+  double drag(const ContactState& c, double mobility) const override {
+    return implicit_force(law_, c.approach, c.approach, memories_[c.slot], step_, mobility).slope;
+  }
+  std::optional<double> constant_drag() const noexcept override {
+    if constexpr (constant_slope<Law>) return implicit_force(law_, {}, {}, Memory{}, step_, 0).slope;
+    return std::nullopt;
   }
 
   double force_at(const ContactState& c, Approach then, double span) const override {
@@ -138,7 +156,7 @@ class NormalContactsOf final : public NormalContacts {
   // force over each part keep forces that start with a jump or like a power of time from spoiling the order.
   void touch(ContactState& c, NormalRow& row) {
     constexpr int parts = 6;
-    const double length = c.lag + 0.5 * step_;
+    const double length = row.since_touch;
     Memory& memory = memories_[c.slot];
     Approach a = c.approach;
     double force = law_.force(a, memory), impulse = 0, loss = 0, t = 0;
