@@ -33,7 +33,7 @@ class Crowd {
   };
   struct Member {
     Vec3 position;
-    double radius;
+    double radius = 0;
   };
   Cell cell_of(Vec3 position) const noexcept;
 

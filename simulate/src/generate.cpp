@@ -101,7 +101,8 @@ void put_on_lattice(Order& order, const PourRegion& region, Crowd& crowd) {
   std::size_t placed = 0;
   for (std::uint64_t k = 0; k < n[0] * n[1] * n[2] && placed < order.spheres.size(); ++k) {
     Sphere& s = order.spheres[placed];
-    const Vec3 cell{double(k % n[0]), double(k / n[0] % n[1]), double(k / n[0] / n[1])};
+    const std::uint64_t row = k / n[0], layer = row / n[1];
+    const Vec3 cell{double(k % n[0]), double(row % n[1]), double(layer)};
     const double free = jitter * (0.5 * spacing - s.radius);
     const Vec3 shift{random.between(-free, free), random.between(-free, free), random.between(-free, free)};
     s.position = region.low() + spacing * (cell + Vec3{0.5, 0.5, 0.5}) + shift;

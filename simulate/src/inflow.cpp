@@ -23,7 +23,14 @@ std::vector<std::uint32_t> Inflow::leaving(const Cluster& cluster) const {
 }
 
 void Inflow::strike(const std::vector<std::uint32_t>& leaving, Roster& roster) {
-  for (auto gone = leaving.rbegin(); gone != leaving.rend(); ++gone) roster.who().erase(roster.who().begin() + *gone);
+  auto gone = leaving.begin();
+  std::uint32_t k = 0;
+  std::erase_if(roster.who(), [&](std::uint32_t) {
+    const bool leaves = gone != leaving.end() && *gone == k;
+    ++k;
+    if (leaves) ++gone;
+    return leaves;
+  });
 }
 
 std::uint64_t Inflow::due_of(const Pour& pour, double time) noexcept {

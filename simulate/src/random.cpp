@@ -11,8 +11,10 @@ std::uint64_t Random::bits() noexcept {
 
 // Von Neumann's: a falling run of uniform numbers below x is of even length with probability e^−x, 0 ≤ x ≤ 1.
 bool Random::happens(double x) noexcept {
-  for (; x > 1; x -= 1)
+  while (x > 1) {
     if (!happens(1)) return false;
+    x -= 1;
+  }
   bool even = true;
   for (double last = x;; even = !even) {
     const double next = uniform();

@@ -153,7 +153,7 @@ std::string read_start(const Node& node, const std::string& scene_file, const Ma
   if (frames == 0) throw console::BadInput(path + ": empty; must be a trajectory that simulate wrote");
   if (wanted != last && frames <= wanted)
     node.at("frame").reject(fmt::format("less than {}, the number of frames in {}", frames, path));
-  const std::string used(frame.place(), lines.place());
+  std::string used(frame.place(), lines.place());
   const std::size_t count = count_of(frame.next(), frame);
   Frame reader(frame, materials);
   scene.setup.spheres.reserve(scene.setup.spheres.size() + count);

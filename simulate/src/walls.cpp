@@ -119,7 +119,7 @@ class Reader {
  private:
   static std::string name_of(const Node& entry, const std::string& otherwise) {
     if (!entry.has("name")) return otherwise;
-    const std::string name = entry.at("name").text();
+    std::string name = entry.at("name").text();
     const bool letter = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front()));
     if (!letter || name.find_first_of(",;\"") != std::string::npos)
       entry.at("name").reject("a name that begins with a letter, without , ; and quotes");

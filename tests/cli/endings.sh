@@ -139,8 +139,8 @@ instants=$instants_all
 whole_records() {
   [[ $code == "$expected" || $code == 0 ]] || fail "$1: exit code $code: $(cat err)"
   [[ -e out/trajectory.xyz ]] || return 0
-  awk 'NR % 4 == 1 && $0 != 2 || NR % 4 == 2 && !/^Properties=/ ||
-       NR % 4 == 3 && NF != 12 || NR % 4 == 0 && NF != 12 { exit 1 }
+  awk 'NR % 4 == 1 && $0 != 2 || NR % 4 == 2 && !/^Lattice=.* Properties=.* pbc="F F F"$/ ||
+       NR % 4 == 3 && NF != 13 || NR % 4 == 0 && NF != 13 { exit 1 }
        END { if (NR % 4) exit 1 }' out/trajectory.xyz || fail "$1: a frame is not whole"
   for csv in contacts energy; do
     awk -F, 'NR == 1 { n = NF } NF != n { exit 1 }' out/$csv.csv || fail "$1: $csv.csv has a row that is not whole"
@@ -201,7 +201,7 @@ for command in "${commands[@]}"; do
   reference "$command"
 
   # The file that one of the options names is a full device, or no file at all.
-  for option in '-o' --report; do
+  for option in '-o' --report --view; do
     [[ $command == *" $option out/"* ]] || continue
     file=$(sed -E "s,.* $option (out/[^ ]*).*,\1," <<<"$command")
     run bash -c "${command/"$file"//dev/full}"
@@ -263,7 +263,8 @@ fi
 # A small disk, as root: full after the first bytes, in the middle, and among the temporary files.
 on_small_disk() { # size, command
   run unshare -m bash -c "mount -t tmpfs -o size=$1 none small && mkdir small/out && cp -a before/. small/out &&
-    (cd small && ln -s ../source ../rows.csv . && ${2}); code=\$?; rm -rf out; cp -a small/out out; exit \$code"
+    (cd small && ln -s ../source ../rows.csv ../finished . && ${2}); code=\$?
+    rm -rf out; cp -a small/out out; exit \$code"
 }
 if ((EUID == 0)) && unshare -m mount -t tmpfs none small 2>/dev/null; then
   for command in "${commands[@]}"; do

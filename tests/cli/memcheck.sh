@@ -34,7 +34,7 @@ done <<EOL
 0 verify table2 --format json
 0 verify peers --format csv
 2 verify nothing
-0 simulate bounce.json -o bounce
+0 simulate bounce.json -o bounce --view bounce.html
 0 simulate column.json -o column
 2 simulate none.json -o none
 EOL

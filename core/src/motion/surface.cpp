@@ -37,7 +37,7 @@ struct Nearest {
  private:
   struct Radial {
     Vec3 direction;
-    double distance;
+    double distance = 0;
   };
   Radial radial() const noexcept {
     const Vec3 away = tangential(x, axis);
