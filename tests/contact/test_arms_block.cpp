@@ -1,4 +1,5 @@
 #include <ricochet/contact/arms_block.hpp>
+#include <ricochet/contact/fractional.hpp>
 #include <ricochet/contact/mean_force.hpp>
 
 #include <catch2/catch.hpp>

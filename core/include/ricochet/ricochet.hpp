@@ -24,11 +24,15 @@
 #include <ricochet/contact/arms_block.hpp>
 #include <ricochet/contact/description.hpp>
 #include <ricochet/contact/fractional.hpp>
+#include <ricochet/contact/fractional_hertz.hpp>
+#include <ricochet/contact/fractional_kelvin_voigt.hpp>
+#include <ricochet/contact/fractional_zener.hpp>
 #include <ricochet/contact/friction.hpp>
 #include <ricochet/contact/geometry.hpp>
 #include <ricochet/contact/hysteretic.hpp>
 #include <ricochet/contact/law.hpp>
 #include <ricochet/contact/laws.hpp>
+#include <ricochet/contact/maxwell_arms.hpp>
 #include <ricochet/contact/mean_force.hpp>
 #include <ricochet/contact/power_law.hpp>
 #include <ricochet/contact/tangential.hpp>
@@ -38,6 +42,7 @@
 #include <ricochet/fractional/memory_kernel.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
 #include <ricochet/fractional/operators.hpp>
+#include <ricochet/fractional/viscoelastic_motion.hpp>
 #include <ricochet/motion/bodies.hpp>
 #include <ricochet/motion/cluster.hpp>
 #include <ricochet/motion/column.hpp>

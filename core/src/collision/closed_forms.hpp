@@ -17,6 +17,8 @@ inline double energy_at_rest(const Impact& impact) {
 
 /// The same for α ≥ 1, which ends at rest.
 Collision come_to_rest(const Fractional& law, const Impact& impact, double breakage_energy);
+/// And for a dashpot c dζ^{3/2}/dt alone.
+Collision come_to_rest(const FractionalHertz& law, const Impact& impact, double breakage_energy);
 
 /// `unit` [s] is the time the scaled collision was counted in: turns it into SI units. Scales that are no normal double
 /// (parameters that are far apart) would give zeros, infinities or lost digits: out_of_range.

@@ -3,17 +3,14 @@
 
 #include "closed_forms.hpp"
 #include "numerical_collision.hpp"
+#include "require_impact.hpp"
 
 #include <stdexcept>
 
 namespace ricochet {
 namespace {
 
-void require_impact(const Impact& impact, const CollideOptions& options) {
-  support::require_positive("velocity", impact.velocity);
-  support::require_positive("mass_eff", impact.mass_eff);
-  support::require(options.breakage_energy >= 0, "breakage_energy", options.breakage_energy, ">= 0");
-}
+using collision::require_impact;
 
 template <class Motion, class Law>
 Collision integrate(const Law& law, const Impact& impact, const CollideOptions& options) {

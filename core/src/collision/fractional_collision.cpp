@@ -5,6 +5,8 @@
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/support/root.hpp>
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
 #include <cmath>
 
 namespace ricochet::collision {
@@ -50,6 +52,24 @@ Collision come_to_rest(const Fractional& law, const Impact& impact, double break
   out.overlap_end = out.max_overlap = out.tcol * mittag_leffler(a, 2, -y);
   out.max_force = a < 1 ? 0 : 1;  // of the dashpot: at the touch
   return in_units(out, impact, unit_of(law, impact));
+}
+
+// m ζ' = m v₀ − c ζ^{3/2}: in units of m = v₀ = c = 1 the overlap rises to 1 and the force (3/2)ζ^{1/2}ζ' is greatest
+// where 1 = 4ζ^{3/2}. With ζ = y² the time ∫ 2y dy/(1 − y³) is regular at the touch.
+Collision come_to_rest(const FractionalHertz& law, const Impact& impact, double breakage_energy) {
+  const auto time_to = [](double cubed) {
+    const auto slowness = [](double y) { return 2 * y / (1 - y * y * y); };
+    return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(slowness, 0.0, std::cbrt(cubed), 12, 1e-14);
+  };
+  Collision out;
+  const bool breaks = energy_at_rest(impact) >= breakage_energy;
+  out.status = breaks ? CollisionStatus::breakage : CollisionStatus::permanent_contact;
+  out.tcol = out.time_max_overlap = time_to(1 - at_rest);
+  out.overlap_end = out.max_overlap = std::pow(1 - at_rest, 2.0 / 3);
+  out.time_max_force = time_to(0.25);
+  out.max_force = 1.125 * std::cbrt(0.25);
+  const double unit = std::pow(impact.mass_eff / (law.c() * std::sqrt(impact.velocity)), 1 / 1.5);
+  return in_units(out, impact, unit);
 }
 
 Collision follow_fractional(const Fractional& law, const Impact& impact, ContactEnd asked) {

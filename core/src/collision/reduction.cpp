@@ -125,20 +125,34 @@ std::optional<Fractional> Reduction<Fractional>::holding(double k, double coeffi
   return Fractional(k, c, alpha);
 }
 
-AnyLaw scaled_law(LawKind kind, const Coordinates& x) {
-  return kind.visit([&]<class Law>(std::type_identity<Law>) -> AnyLaw { return Reduction<Law>::at(x); });
+bool holds_degree(LawKind kind) noexcept {
+  return kind.visit([]<class Law>(std::type_identity<Law>) { return HoldsDegree<Law>; });
+}
+
+AnyLaw scaled_law(LawKind kind, const Coordinates& x, const Held& held) {
+  return kind.visit([&]<class Law>(std::type_identity<Law>) -> AnyLaw {
+    if constexpr (HoldsDegree<Law>)
+      return Reduction<Law>::at(x, held);
+    else
+      return Reduction<Law>::at(x);
+  });
 }
 
 Coordinates with_unit_tcol(LawKind kind, double loss, double tcol) {
   return kind.visit([&]<class Law>(std::type_identity<Law>) { return Reduction<Law>::with_unit_tcol(loss, tcol); });
 }
 
-std::optional<UnitLaw<AnyLaw>> unit_law(LawKind kind, double en, ContactEnd end) {
+std::optional<UnitLaw<AnyLaw>> unit_law(LawKind kind, double en, ContactEnd end, const Held& held) {
   support::require(en > 0 && en <= 1, "en", en, "in (0, 1]");
   if (!kind.ends().offer(end))
     throw std::invalid_argument("end = overlap: must be force for the law " + std::string(kind.name()));
   return kind.visit([&]<class Law>(std::type_identity<Law>) -> std::optional<UnitLaw<AnyLaw>> {
-    const auto found = Reduction<Law>::unit(en, end);
+    const auto found = [&] {
+      if constexpr (HoldsDegree<Law>)
+        return Reduction<Law>::unit(en, end, held);
+      else
+        return Reduction<Law>::unit(en, end);
+    }();
     return found ? std::optional(UnitLaw<AnyLaw>{found->law, found->collisions, found->closed_form}) : std::nullopt;
   });
 }
@@ -163,7 +177,7 @@ double numerical_error(LawKind kind, ContactEnd end, double en) {
 namespace {
 
 AnyLaw carried(const std::optional<AnyLaw>& law) {
-  if (!law) throw std::overflow_error("tuned_law: a parameter is no normal double");
+  if (!law) throw std::overflow_error("tuned_law: a parameter is no normal double, or en out of reach");
   return *law;
 }
 
@@ -174,10 +188,10 @@ Fractional tuned_fractional(double alpha, double tcol, double mass_eff) {
   return std::get<Fractional>(carried(at_impact(Reduction<Fractional>::of_degree(alpha), tcol, {1, mass_eff})));
 }
 
-AnyLaw tuned_law(LawKind kind, double tcol, double en, const Impact& impact, ContactEnd end) {
+AnyLaw tuned_law(LawKind kind, double tcol, double en, const Impact& impact, ContactEnd end, const Held& held) {
   support::require_positive("tcol", tcol);
   support::require(std::isfinite(en) && en >= 1e-3 && en < 1, "en", en, "in [0.001, 1)");
-  const auto found = unit_law(kind, en, end);
+  const auto found = unit_law(kind, en, end, held);
   return carried(found ? at_impact(found->law, tcol, impact) : std::nullopt);
 }
 

@@ -97,14 +97,14 @@ Run choose(std::size_t blocks, [[maybe_unused]] Instructions instructions, std::
 
 Instructions widest_instructions() noexcept { return has_avx2() ? Instructions::avx2 : Instructions::baseline; }
 
-ArmsBlock::ArmsBlock(const FractionalArms& law, double step, std::size_t slots, Instructions instructions)
+ArmsBlock::ArmsBlock(const MaxwellArms& law, double step, std::size_t slots, Instructions instructions)
     : slots_(slots), slope_(law.dashpot() + 0.5 * step * law.spring()) {
   support::require_positive("step", step);
-  support::require(slots % lanes == 0 && law.arms() <= slots && slots <= FractionalArms::max_arms, "slots",
+  support::require(slots % lanes == 0 && law.arms() <= slots && slots <= MaxwellArms::max_arms, "slots",
                    static_cast<double>(slots), "a multiple of 4 from the number of arms to 24");
   if (instructions == Instructions::avx2 && !has_avx2())
     throw std::invalid_argument("instructions = avx2: this machine does not have them");
-  constexpr std::size_t most = FractionalArms::max_arms / lanes;
+  constexpr std::size_t most = MaxwellArms::max_arms / lanes;
   run_ = choose(slots / lanes, instructions, std::make_index_sequence<most + 1>{});
   coefficients_.spring = law.spring();
   for (std::size_t a = 0; a < law.arms(); ++a) {

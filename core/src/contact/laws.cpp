@@ -22,6 +22,11 @@ std::string power_text(std::string_view unit, int quarters) {
 std::string unit_text(Dimension d) {
   std::string above, below;
   int factors_below = 0;
+  if (d.second_by_alpha != 0) {  // of a springpot: kg s^(alpha-2), and what it has of metres
+    const std::string rest = unit_text({0, d.metre, 0});
+    above = "kg s^(alpha-" + std::to_string(-d.second / 4) + ")";
+    return rest.starts_with("1") ? above + rest.substr(1) : above;
+  }
   for (const auto& [unit, quarters] :
        {std::pair("kg", d.kilogram), std::pair("s", d.second), std::pair("m", d.metre)}) {
     if (quarters > 0) above += (above.empty() ? "" : " ") + power_text(unit, quarters);

@@ -9,7 +9,9 @@ SteadyArm steady_arm(double relaxation_rate, double dt) noexcept {
   return {m.decay, dt * mean, mean, dt * m.falling};
 }
 
-double mean_force(const FractionalArms& law, double overlap, double rate, const FractionalArms::Memory& memory,
+namespace contact {
+
+double mean_force(const MaxwellArms& law, double overlap, double rate, const MaxwellArms::Memory& memory,
                   double dt) noexcept {
   double sum = law.spring() * (overlap + 0.5 * rate * dt) + law.dashpot() * rate;
   for (std::size_t a = 0; a < law.arms(); ++a) {
@@ -18,5 +20,7 @@ double mean_force(const FractionalArms& law, double overlap, double rate, const 
   }
   return sum;
 }
+
+}  // namespace contact
 
 }  // namespace ricochet

@@ -13,7 +13,7 @@ namespace {
 std::string at_least(double value) { return "at least " + support::significant(1.005 * value, 3); }
 std::string at_most(double value) { return "at most " + support::significant(0.995 * value, 3); }
 
-MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
+MemoryKernel kernel_for(double alpha, const ColumnOptions& options, std::size_t most_arms) {
   const double shortest = options.shortest_memory > 0 ? options.shortest_memory : options.step;
   const double longest = std::max(
       shortest, options.longest_memory > 0 ? options.longest_memory : std::min(options.duration, 1e5 * shortest));
@@ -21,7 +21,7 @@ MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
   support::require(tolerance >= 1e-12 && tolerance <= 0.1, "memory_tolerance", tolerance, "in [1e-12, 0.1]");
   support::require(longest <= 1e6 * shortest, "longest_memory", longest,
                    "at most 1e6 of the shortest, that is of the step by default");
-  MemoryKernel kernel = affordable_kernel(alpha, {shortest, longest, tolerance}, FractionalArms::max_arms);
+  MemoryKernel kernel = affordable_kernel(alpha, {shortest, longest, tolerance}, most_arms);
   if (kernel.error() > tolerance) {
     const std::string accepted = at_least(kernel.error()) + " at alpha = " + support::significant(alpha, 3) +
                                  " with a longest memory of " + support::significant(longest / shortest, 3) +
@@ -31,12 +31,13 @@ MemoryKernel kernel_for(double alpha, const ColumnOptions& options) {
   return kernel;
 }
 
-ColumnResult run_fractional(const Column& column, const Fractional& plate, const Fractional& pair,
-                            const ColumnOptions& options) {
-  const MemoryKernel of_plate = kernel_for(plate.alpha(), options);
-  const MemoryKernel of_pair = pair.alpha() == plate.alpha() ? of_plate : kernel_for(pair.alpha(), options);
-  return motion::run(column, FractionalArms(plate, of_plate, options.step), FractionalArms(pair, of_pair, options.step),
-                     options);
+template <RemembersAll Law>
+ColumnResult run_on_arms(const Column& column, const Law& plate, const Law& pair, const ColumnOptions& options) {
+  using Arms = typename Law::Arms;
+  const auto kernel = [&](double alpha) { return kernel_for(alpha, options, Arms::max_kernel_arms); };
+  const MemoryKernel of_plate = kernel(plate.alpha());
+  const MemoryKernel of_pair = pair.alpha() == plate.alpha() ? of_plate : kernel(pair.alpha());
+  return motion::run(column, Arms(plate, of_plate, options.step), Arms(pair, of_pair, options.step), options);
 }
 
 }  // namespace
@@ -103,10 +104,10 @@ ColumnResult run_column(const Column& column, const AnyLaw& plate, const AnyLaw&
         if (!pair_law)
           throw std::invalid_argument("pair = " + std::string(name(pair)) + ": must be of the plate's kind, " +
                                       std::string(name(plate)));
-        if constexpr (std::same_as<Law, Fractional>) {
+        if constexpr (RemembersAll<Law>) {
           motion::check(options);
           motion::check_step(options.step, largest_step(column, plate, pair));
-          return run_fractional(column, plate_law, *pair_law, options);
+          return run_on_arms(column, plate_law, *pair_law, options);
         } else {
           return run_column<Law>(column, plate_law, *pair_law, options);
         }

@@ -3,6 +3,8 @@
 
 #include "steepest.hpp"
 
+#include <ricochet/support/root.hpp>
+
 #include <limits>
 #include <utility>
 
@@ -36,6 +38,36 @@ double stable_step(const Hysteretic& law, double w, double mass, double speed) {
 // g = c^α k^{1−α} h^{1−α}/Γ(3−α), the mean of D^α over a step of constant rate.
 double stable_step(const Fractional& law, double w, double, double) {
   return std::pow(std::tgamma(3 - law.alpha()) / (2 * w * law.coefficient()), 1 / (2 - law.alpha()));
+}
+
+namespace {
+
+// g = kh/2 + c h^{1−α}/Γ(3−α): between the roots for either alone and 1/√2 of them.
+double spring_and_pot(double k, double c, double alpha, double w) {
+  const double pot = c / std::tgamma(3 - alpha), infinity = std::numeric_limits<double>::infinity();
+  const double by_pot = pot > 0 ? std::pow(2 * w * pot, -1 / (2 - alpha)) : infinity;
+  const double by_spring = k > 0 ? 1 / std::sqrt(w * k) : infinity, low = std::min(by_spring, by_pot);
+  if (std::max(by_spring, by_pot) == infinity) return low;
+  const auto excess = [&](double share) {
+    const double h = share * low;
+    return w * h * (0.5 * k * h + pot * std::pow(h, 1 - alpha)) - 0.5;
+  };
+  return low * support::root(excess, 0.4, 1, -1, std::max(0.0, excess(1)));
+}
+
+}  // namespace
+
+double stable_step(const FractionalKelvinVoigt& law, double w, double, double) {
+  return spring_and_pot(law.k(), law.c(), law.alpha(), w);
+}
+// The arm is never stiffer than its spring alone or its springpot alone.
+double stable_step(const FractionalZener& law, double w, double, double) {
+  const double pot = law.k1() * std::pow(law.tau(), law.alpha());
+  return std::max(spring_and_pot(law.k() + law.k1(), 0, law.alpha(), w), spring_and_pot(law.k(), pot, law.alpha(), w));
+}
+double stable_step(const FractionalHertz& law, double w, double mass, double speed) {
+  const double rise = 1.5 * std::sqrt(greatest_overlap(law, mass, speed));
+  return spring_and_pot(rise * law.k(), rise * law.c(), law.alpha(), w);
 }
 
 double stable_step(collision::DrivenLaw& law, double w, double mass, double speed) {

@@ -5,34 +5,17 @@
 #include <algorithm>
 
 namespace ricochet {
-namespace {
 
-MemoryKernel kernel_for(double alpha, const NormalStepping& s) {
+MemoryKernel NormalLaw::kernel_for(double alpha, const NormalStepping& s, std::size_t most_arms) {
   const double shortest = 0.5 * s.step, longest = s.longest_contact > 0 ? s.longest_contact : 1e4 * s.step;
   support::require(longest <= 1e6 * shortest, "longest_contact", longest, "at most 5e5 steps with a fractional law");
-  return affordable_kernel(alpha, {shortest, std::max(longest, shortest), s.kernel_tolerance},
-                           FractionalArms::max_arms);
+  return affordable_kernel(alpha, {shortest, std::max(longest, shortest), s.kernel_tolerance}, most_arms);
 }
 
-}  // namespace
+void NormalLaw::require_degree(double alpha) {
+  support::require(alpha >= 0 && alpha <= 1, "alpha", alpha, "in [0, 1] for particles in motion");
+}
 
-struct NormalLaw::OnArms final : Description {
-  explicit OnArms(const Fractional& l) : law(l) {}
-  std::string_view name() const noexcept override { return Fractional::name; }
-  std::size_t memory_size() const noexcept override { return motion::memory_size<FractionalArms::Memory>; }
-  void require_motion() const override {
-    support::require(law.alpha() >= 0 && law.alpha() <= 1, "alpha", law.alpha(), "in [0, 1] for particles in motion");
-  }
-  double resolved_time(double mass, double speed) const override { return motion::resolved_time(law, mass, speed); }
-  std::unique_ptr<motion::NormalContacts> contacts(const NormalStepping& s) const override {
-    const MemoryKernel kernel = kernel_for(law.alpha(), s);
-    return std::make_unique<motion::NormalContactsOf<FractionalArms>>(FractionalArms(law, kernel, s.step), s.step,
-                                                                      s.end, kernel.error());
-  }
-  Fractional law;
-};
-
-NormalLaw::NormalLaw(const Fractional& law) : law_(std::make_shared<const OnArms>(law)) {}
 NormalLaw::NormalLaw(const AnyLaw& law) : law_(std::visit([](const auto& one) { return NormalLaw(one).law_; }, law)) {}
 
 }  // namespace ricochet

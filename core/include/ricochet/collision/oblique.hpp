@@ -155,6 +155,17 @@ ObliqueCollision collide(const Hysteretic& law, const TangentialContact& tangent
 ObliqueCollision collide(const Fractional& law, const TangentialContact& tangential, const ObliqueImpact& impact,
                          const ObliqueOptions& options = {});
 
+/// The laws of real solids, on the Maxwell arms of the collision.
+template <RemembersAll Law>
+ObliqueCollision collide(const Law& law, const TangentialContact& tangential, const ObliqueImpact& impact,
+                         const ObliqueOptions& options = {}) {
+  return collision::collide_obliquely(law, tangential, impact, options, [&](const Impact& head_on, const Collision& c) {
+    const auto arms = arms_of_collision(law, c.tcol);
+    collision::Driven<typename Law::Arms> driven(arms);
+    return collision::normal_path(driven, head_on, c);
+  });
+}
+
 template <std::same_as<AnyLaw> Any>
 ObliqueCollision collide(const Any& law, const TangentialContact& tangential, const ObliqueImpact& impact,
                          const ObliqueOptions& options = {}) {

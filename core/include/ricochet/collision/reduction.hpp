@@ -18,6 +18,13 @@ struct Coordinates {
   double scale, loss;
 };
 
+/// What a collision time and a restitution leave open of a law that has more than two parameters; each law takes of it
+/// what is its own. At one speed nothing but a third number (a stiffness, an overlap) could tell them.
+struct Held {
+  double alpha = 0.5;       ///< of the laws of real solids
+  double stiffening = 100;  ///< fractional-zener: k1/k, that of a polymer between glass and rubber
+};
+
 /// A law in the units of its impact.
 template <class Law>
 struct UnitLaw {
@@ -175,17 +182,66 @@ struct Reduction<Fractional> : GenericReduction<Fractional> {
   static std::optional<Fractional> holding(double k, double coefficient, double alpha, double tcol, double mass_eff);
 };
 
+/// α is held. Coordinates: ln k and ln g, g = (c/k)(k/m)^{α/2}, which is one number with c at k = m = 1. With α held
+/// e_n falls from 1 to that of the fractional law of the same α as g grows, by force: no less is reached.
+template <>
+struct Reduction<FractionalKelvinVoigt> : GenericReduction<FractionalKelvinVoigt> {
+  static FractionalKelvinVoigt at(const Coordinates& x, const Held& held = {});
+  static Coordinates with_unit_tcol(double loss, double tcol) { return {2 * std::log(tcol), loss}; }
+  static std::optional<UnitLaw<FractionalKelvinVoigt>> unit(double en, ContactEnd end, const Held& held = {});
+  static std::optional<FractionalKelvinVoigt> in_si(const FractionalKelvinVoigt& unit, double tcol,
+                                                    const Impact& impact);
+  static double rounding_error(const FractionalKelvinVoigt&, ContactEnd end, double en) noexcept {
+    return end == ContactEnd::overlap ? 1e-15 / (en * en) : 0;
+  }
+  static double numerical_error(ContactEnd end, double en) noexcept {
+    return 1e-11 + (end == ContactEnd::force ? 1e-14 / en : 1e-15 / (en * en));
+  }
+};
+
+/// The same, g = (c/k) T_H^{−α}; no less e_n is reached than that of k = 0.
+template <>
+struct Reduction<FractionalHertz> : GenericReduction<FractionalHertz> {
+  static FractionalHertz at(const Coordinates& x, const Held& held = {});
+  static Coordinates with_unit_tcol(double loss, double tcol) { return {2.5 * std::log(tcol), loss}; }
+  static std::optional<UnitLaw<FractionalHertz>> unit(double en, ContactEnd end, const Held& held = {});
+  static std::optional<FractionalHertz> in_si(const FractionalHertz& unit, double tcol, const Impact& impact);
+  static double numerical_error(ContactEnd, double en) noexcept { return 1e-11 + 1e-14 / en; }
+};
+
+/// α and k₁/k are held. Coordinates: ln k and ln (k₁/k)(τ√(k/m))^α, the g of the Kelvin–Voigt law that this one is for
+/// short τ. Along τ e_n falls to a least value and returns to 1; the shorter τ is answered, which is the one that
+/// Kelvin–Voigt's continues.
+template <>
+struct Reduction<FractionalZener> : GenericReduction<FractionalZener> {
+  static FractionalZener at(const Coordinates& x, const Held& held = {});
+  static Coordinates with_unit_tcol(double loss, double tcol) { return {2 * std::log(tcol), loss}; }
+  static std::optional<UnitLaw<FractionalZener>> unit(double en, ContactEnd end, const Held& held = {});
+  /// The coordinate of the least e_n.
+  static double lossiest(const Held& held);
+  static double numerical_error(ContactEnd, double) noexcept { return 1e-7; }
+};
+
+/// A law of which `Held` holds something.
+template <class Law>
+concept HoldsDegree = requires(const Coordinates& x, const Held& held) {
+  Reduction<Law>::at(x, held);
+};
+
 // The same of a law that is known only as one of the list.
 
+/// Does `Held` hold the α of that law?
+bool holds_degree(LawKind kind) noexcept;
 /// The law at `x`, in the units of the impact.
-AnyLaw scaled_law(LawKind kind, const Coordinates& x);
+AnyLaw scaled_law(LawKind kind, const Coordinates& x, const Held& held = {});
 Coordinates with_unit_tcol(LawKind kind, double loss, double tcol);
 
 /// The law of that kind that keeps e_n. Each kind has one dimensionless group that sets e_n and a scale that sets
-/// t_col. In exact arithmetic each reaches every e_n in (0, 1]. nullopt where a double cannot carry it: a parameter is
-/// no normal double, a collision out of range, or fractional with e_n < 1e-15 (by overlap 1e-6).
-/// Throws std::invalid_argument unless 0 < en ≤ 1 and the kind ends so.
-std::optional<UnitLaw<AnyLaw>> unit_law(LawKind kind, double en, ContactEnd end);
+/// t_col. In exact arithmetic each reaches every e_n in (0, 1], but for the laws of real solids at what is held.
+/// nullopt where it does not, or a double cannot carry it: a parameter is no normal double, a collision out of range,
+/// or fractional with e_n < 1e-15 (by overlap 1e-6).
+/// Throws std::invalid_argument unless 0 < en ≤ 1, the kind ends so, and what is held lies in its domain.
+std::optional<UnitLaw<AnyLaw>> unit_law(LawKind kind, double en, ContactEnd end, const Held& held = {});
 
 /// `unit_law` brought to a collision time [s] and an impact; nullopt where a parameter is then no normal double.
 /// Throws std::invalid_argument for a scale not finite and > 0.
@@ -199,8 +255,9 @@ double numerical_error(LawKind kind, ContactEnd end, double en);
 /// end: the first guess-free step of any study that compares laws at equal (t_col, e_n). Of the fractional law only α
 /// and c^α k^{1−α} are determined; c = k in number here. Elastic contacts are left out.
 /// Throws std::invalid_argument unless tcol > 0, 1e-3 ≤ en < 1, and the kind ends so; std::overflow_error where a
-/// parameter is no normal double.
-AnyLaw tuned_law(LawKind kind, double tcol, double en, const Impact& impact, ContactEnd end = ContactEnd::force);
+/// parameter is no normal double or the law does not reach en with what is held of it.
+AnyLaw tuned_law(LawKind kind, double tcol, double en, const Impact& impact, ContactEnd end = ContactEnd::force,
+                 const Held& held = {});
 
 /// The fractional law of conversion degree α, 0 < α < 0.97, whose binary collision takes `tcol` [s].
 Fractional tuned_fractional(double alpha, double tcol, double mass_eff);

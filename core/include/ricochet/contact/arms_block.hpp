@@ -1,6 +1,6 @@
 #pragma once
 
-#include <ricochet/contact/fractional.hpp>
+#include <ricochet/contact/maxwell_arms.hpp>
 
 #include <array>
 #include <cstddef>
@@ -27,11 +27,11 @@ Instructions widest_instructions() noexcept;
 class ArmsBlock {
  public:
   static constexpr std::size_t lanes = 4;
-  static_assert(FractionalArms::max_arms % lanes == 0);
+  static_assert(MaxwellArms::max_arms % lanes == 0);
 
   /// `step` is h [s] > 0; a contact occupies `slots` doubles, a multiple of `lanes` from the law's arms() to max_arms.
   /// Throws std::invalid_argument for others, and for instructions that the machine does not have.
-  ArmsBlock(const FractionalArms& law, double step, std::size_t slots, Instructions = widest_instructions());
+  ArmsBlock(const MaxwellArms& law, double step, std::size_t slots, Instructions = widest_instructions());
 
   /// Steps contacts 0 … contacts−1: their elongations [m] lie one contact after the other, `slots` each, those past the
   /// law's arms 0; `before`, `after` are ζ₀, ζ₁ [m] and `held` [N] the results, one a contact. No two arrays overlap.
@@ -48,7 +48,7 @@ class ArmsBlock {
   struct Coefficients {
     double spring = 0;  // [N/m]
     // Of each arm: e^{−x}, φ₁(x), stiffness·φ₁(x) [N/m].
-    alignas(32) std::array<double, FractionalArms::max_arms> decay{}, gain{}, weight{};
+    alignas(32) std::array<double, MaxwellArms::max_arms> decay{}, gain{}, weight{};
   };
 
  private:

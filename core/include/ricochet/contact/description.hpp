@@ -23,11 +23,13 @@ struct Domain {
 namespace domains {
 inline constexpr Domain positive{"finite and > 0", [](double x) { return std::isfinite(x) && x > 0; }};
 inline constexpr Domain not_negative{"finite and >= 0", [](double x) { return std::isfinite(x) && x >= 0; }};
+inline constexpr Domain degree{"in [0, 1]", [](double x) { return x >= 0 && x <= 1; }};
 }  // namespace domains
 
-/// kg^a m^b s^c, the exponents in quarters: {4, -2, -8} is kg/(s^2 m^(1/2)).
+/// kg^a m^b s^(c + dα), the exponents in quarters: {4, -2, -8} is kg/(s^2 m^(1/2)), {4, 0, -8, 4} kg s^(alpha-2).
 struct Dimension {
   int kilogram = 0, metre = 0, second = 0;
+  int second_by_alpha = 0;  ///< 0 but for a springpot's coefficient
 };
 
 /// "kg/(s^2 m^(1/2))"; "" for a plain number.

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <ricochet/contact/fractional.hpp>
+#include <ricochet/contact/fractional_hertz.hpp>
+#include <ricochet/contact/fractional_kelvin_voigt.hpp>
+#include <ricochet/contact/fractional_zener.hpp>
 #include <ricochet/contact/hysteretic.hpp>
 #include <ricochet/contact/power_law.hpp>
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <ricochet/contact/fractional.hpp>
+#include <ricochet/contact/fractional_hertz.hpp>
 #include <ricochet/contact/hysteretic.hpp>
+#include <ricochet/contact/maxwell_arms.hpp>
 #include <ricochet/contact/power_law.hpp>
 
 namespace ricochet {
@@ -46,7 +47,19 @@ struct SteadyArm {
 };
 SteadyArm steady_arm(double relaxation_rate, double dt) noexcept;
 
-double mean_force(const FractionalArms& law, double overlap, double rate, const FractionalArms::Memory& memory,
+namespace contact {
+double mean_force(const MaxwellArms& arms, double overlap, double rate, const MaxwellArms::Memory& memory,
                   double dt) noexcept;
+}  // namespace contact
+
+template <ArmsLaw Law>
+double mean_force(const Law& law, double overlap, double rate, const typename Law::Memory& memory, double dt) noexcept {
+  return contact::mean_force(static_cast<const MaxwellArms&>(law), overlap, rate, memory, dt);
+}
+
+inline double mean_force(const FractionalHertzArms& law, double overlap, double rate,
+                         const FractionalHertzArms::Memory& memory, double dt) noexcept {
+  return law.mean_force(overlap, rate, memory, dt);
+}
 
 }  // namespace ricochet

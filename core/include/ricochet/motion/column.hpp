@@ -86,7 +86,7 @@ double largest_step(const Column& column, const AnyLaw& plate, const AnyLaw& pai
 /// `largest_step`.
 template <ContactLaw Law>
 ColumnResult run_column(const Column& column, const Law& plate, const Law& pair, const ColumnOptions& options);
-/// The same for laws known when it runs, which must be of one kind. The fractional law runs on Maxwell arms prepared by
+/// The same for laws known when it runs, which must be of one kind. The fractional laws run on Maxwell arms prepared by
 /// `memory_kernel`. Throws also for laws of different kinds, and for a fractional memory that needs more arms than a
 /// contact carries.
 ColumnResult run_column(const Column& column, const AnyLaw& plate, const AnyLaw& pair, const ColumnOptions& options);

@@ -20,13 +20,14 @@ struct NormalStepping {
 };
 
 /// Any normal law that bodies can meet with: every ContactLaw converts into it, also one of your own, and so do the
-/// fractional law, which then runs on Maxwell arms made for the cluster's steps, and AnyLaw. Immutable; copies share.
+/// fractional laws, which then run on Maxwell arms made for the cluster's steps, and AnyLaw. Immutable; copies share.
 class NormalLaw {
  public:
   template <class Law>
   requires(!std::same_as<Law, NormalLaw>) && ContactLaw<Law>  // in this order: a copy asks for no copy
       NormalLaw(const Law& law) : law_(std::make_shared<const Of<Law>>(law)) {}
-  NormalLaw(const Fractional& law);
+  template <RemembersAll Law>
+  NormalLaw(const Law& law) : law_(std::make_shared<const OnArms<Law>>(law)) {}
   NormalLaw(const AnyLaw& law);
 
   std::string_view name() const noexcept { return law_->name(); }
@@ -66,7 +67,24 @@ class NormalLaw {
     }
     Law law;
   };
-  struct OnArms;  // of the fractional law
+  /// The kernel of α for these steps, of at most that many arms. Throws std::invalid_argument where none can be made.
+  static MemoryKernel kernel_for(double alpha, const NormalStepping& stepping, std::size_t most_arms);
+  static void require_degree(double alpha);
+
+  template <RemembersAll Law>
+  struct OnArms final : Description {
+    using Arms = typename Law::Arms;
+    explicit OnArms(const Law& l) : law(l) {}
+    std::string_view name() const noexcept override { return Law::name; }
+    std::size_t memory_size() const noexcept override { return motion::memory_size<typename Arms::Memory>; }
+    void require_motion() const override { require_degree(law.alpha()); }
+    double resolved_time(double mass, double speed) const override { return motion::resolved_time(law, mass, speed); }
+    std::unique_ptr<motion::NormalContacts> contacts(const NormalStepping& s) const override {
+      const MemoryKernel kernel = kernel_for(law.alpha(), s, Arms::max_kernel_arms);
+      return std::make_unique<motion::NormalContactsOf<Arms>>(Arms(law, kernel, s.step), s.step, s.end, kernel.error());
+    }
+    Law law;
+  };
 
   std::shared_ptr<const Description> law_;
 };

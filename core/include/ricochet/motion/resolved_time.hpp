@@ -17,7 +17,11 @@ double resolved_time(const KuwabaraKono& law, double mass, double speed);
 double resolved_time(const Tsuji& law, double mass, double speed);
 double resolved_time(const Hysteretic& law, double mass, double speed);
 double resolved_time(const Fractional& law, double mass, double speed);
-inline double resolved_time(const FractionalArms& law, double mass, double speed) {
+double resolved_time(const FractionalKelvinVoigt& law, double mass, double speed);
+double resolved_time(const FractionalHertz& law, double mass, double speed);
+double resolved_time(const FractionalZener& law, double mass, double speed);
+template <ArmsLaw Law>
+double resolved_time(const Law& law, double mass, double speed) {
   return resolved_time(law.law(), mass, speed);
 }
 

@@ -68,7 +68,7 @@ class ColumnMemory {
   std::vector<Memory> memory_;
 };
 
-/// A bank that steps the memories of neighbouring contacts under one law all at once; see ColumnMemory<FractionalArms>.
+/// A bank that steps the memories of neighbouring contacts under one law all at once; see column_arms.hpp.
 template <class Bank>
 concept StepsInBlocks = requires(Bank& bank, std::size_t first, const double* overlaps) {
   bank.advance_steps(first, first, overlaps, overlaps);

@@ -27,6 +27,9 @@ double stable_step(const KuwabaraKono& law, double w, double mass, double speed)
 double stable_step(const Tsuji& law, double w, double mass, double speed);
 double stable_step(const Hysteretic& law, double w, double mass, double speed);
 double stable_step(const Fractional& law, double w, double mass, double speed);
+double stable_step(const FractionalKelvinVoigt& law, double w, double mass, double speed);
+double stable_step(const FractionalHertz& law, double w, double mass, double speed);
+double stable_step(const FractionalZener& law, double w, double mass, double speed);
 double stable_step(collision::DrivenLaw& law, double w, double mass, double speed);
 template <ContactLaw Law>
 double stable_step(const Law& law, double w, double mass, double speed) {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <ricochet/contact/fractional.hpp>
+#include <ricochet/contact/fractional_hertz.hpp>
 #include <ricochet/contact/hysteretic.hpp>
+#include <ricochet/contact/maxwell_arms.hpp>
 #include <ricochet/contact/power_law.hpp>
 
 #include <cmath>
@@ -53,9 +54,15 @@ inline AffineForce implicit_force(const Hysteretic& law, Approach before, Approa
   return {force_after(law, before, at, memory, dt), 0};
 }
 
-inline AffineForce implicit_force(const FractionalArms& law, Approach before, Approach at,
-                                  const FractionalArms::Memory& memory, double dt, double) noexcept {
+template <ArmsLaw Law>
+AffineForce implicit_force(const Law& law, Approach before, Approach at, const typename Law::Memory& memory, double dt,
+                           double) noexcept {
   return {force_after(law, before, at, memory, dt), law.rate_gain(dt)};
+}
+
+inline AffineForce implicit_force(const FractionalHertzArms& law, Approach before, Approach at,
+                                  const FractionalHertzArms::Memory& memory, double dt, double) noexcept {
+  return {force_after(law, before, at, memory, dt), law.rate_gain(dt, at.overlap)};
 }
 
 /// Whether the slope of a law is the same in every contact.
@@ -65,7 +72,9 @@ template <>
 inline constexpr bool constant_slope<Linear> = true;
 template <>
 inline constexpr bool constant_slope<Hysteretic> = true;
+template <ArmsLaw Law>
+inline constexpr bool constant_slope<Law> = true;
 template <>
-inline constexpr bool constant_slope<FractionalArms> = true;
+inline constexpr bool constant_slope<FractionalHertzArms> = false;
 
 }  // namespace ricochet::motion

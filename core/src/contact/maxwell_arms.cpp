@@ -1,4 +1,5 @@
 #include <ricochet/contact/fractional.hpp>
+#include <ricochet/contact/maxwell_arms.hpp>
 #include <ricochet/fractional/decay_moments.hpp>
 #include <ricochet/support/require.hpp>
 
@@ -21,17 +22,24 @@ Step step_of(double rate, double dt) noexcept {
 
 }  // namespace
 
-FractionalArms::FractionalArms(const Fractional& law, const MemoryKernel& kernel, double step)
-    : law_(law), arms_(kernel.arms().size()), step_(step) {
-  support::require(kernel.alpha() == law.alpha(), "kernel alpha", kernel.alpha(), "the law's alpha");
-  support::require(arms_ <= max_arms, "kernel arms", static_cast<double>(arms_),
+MaxwellArms::Parts fractional_parts(double coefficient, double alpha, const MemoryKernel& kernel) {
+  support::require(kernel.alpha() == alpha, "kernel alpha", kernel.alpha(), "the law's alpha");
+  support::require(kernel.arms().size() <= MaxwellArms::max_arms, "kernel arms",
+                   static_cast<double>(kernel.arms().size()),
                    "at most 24; a larger tolerance or a smaller longest/shortest needs fewer");
+  MaxwellArms::Parts parts{coefficient * kernel.spring(), coefficient * kernel.dashpot(), {}};
+  parts.arms.reserve(kernel.arms().size());
+  for (const Arm& arm : kernel.arms()) parts.arms.push_back({coefficient * arm.strength, arm.rate});
+  return parts;
+}
+
+MaxwellArms::MaxwellArms(const Parts& parts, double step)
+    : arms_(parts.arms.size()), step_(step), spring_(parts.spring), dashpot_(parts.dashpot) {
+  support::require(arms_ <= max_arms, "arms", static_cast<double>(arms_), "at most 24");
   support::require_positive("step", step);
-  spring_ = law.coefficient() * kernel.spring();
-  dashpot_ = law.coefficient() * kernel.dashpot();
   for (std::size_t j = 0; j < arms_; ++j) {
-    stiffness_[j] = law.coefficient() * kernel.arms()[j].strength;
-    rate_[j] = kernel.arms()[j].rate;
+    stiffness_[j] = parts.arms[j].strength;
+    rate_[j] = parts.arms[j].rate;
     const Step s = step_of(rate_[j], step);
     decay_[j] = s.decay;
     gain_before_[j] = s.gain_before;
@@ -40,19 +48,19 @@ FractionalArms::FractionalArms(const Fractional& law, const MemoryKernel& kernel
   step_gain_ = gain_over(step);
 }
 
-double FractionalArms::gain_over(double dt) const noexcept {
+double MaxwellArms::gain_over(double dt) const noexcept {
   Memory memory;
   advance(memory, {0, 0}, {0, 1}, dt);
   return force({0, 1}, memory);
 }
 
-double FractionalArms::force(Approach a, const Memory& m) const noexcept {
+double MaxwellArms::force(Approach a, const Memory& m) const noexcept {
   double sum = spring_ * a.overlap + dashpot_ * a.rate;
   for (std::size_t j = 0; j < arms_; ++j) sum += stiffness_[j] * m.elongation[j];
   return sum;
 }
 
-void FractionalArms::advance(Memory& m, Approach before, Approach after, double dt) const noexcept {
+void MaxwellArms::advance(Memory& m, Approach before, Approach after, double dt) const noexcept {
   if (dt == step_) {
     for (std::size_t j = 0; j < arms_; ++j)
       m.elongation[j] = decay_[j] * m.elongation[j] + gain_before_[j] * before.rate + gain_after_[j] * after.rate;
@@ -64,13 +72,13 @@ void FractionalArms::advance(Memory& m, Approach before, Approach after, double 
   }
 }
 
-double FractionalArms::stored_energy(Approach a, const Memory& m) const noexcept {
+double MaxwellArms::stored_energy(Approach a, const Memory& m) const noexcept {
   double twice = spring_ * a.overlap * a.overlap;
   for (std::size_t j = 0; j < arms_; ++j) twice += stiffness_[j] * m.elongation[j] * m.elongation[j];
   return 0.5 * twice;
 }
 
-double FractionalArms::dissipated_power(Approach a, const Memory& m) const noexcept {
+double MaxwellArms::dissipated_power(Approach a, const Memory& m) const noexcept {
   double power = dashpot_ * a.rate * a.rate;
   for (std::size_t j = 0; j < arms_; ++j) power += stiffness_[j] * rate_[j] * m.elongation[j] * m.elongation[j];
   return power;
