@@ -226,8 +226,26 @@ TargetDefaults target_defaults(const Options& o) {
   return defaults;  // the bodies may be made up of flags and columns: each row tells
 }
 
+/// A load goes with a collision time and a restitution, or with given parameters, and a contact ended by force.
+void take_load(Job& job, const Options& o) {
+  if (!o.load) return;
+  for (const auto& [flag, text] : {std::pair("--export", o.engine), std::pair("--report", o.page)})
+    if (!text.empty()) throw BadInput(fmt::format("{}: must be left out with --load", flag));
+  if (job.tangential) throw BadInput("--load", shortest(*o.load), "left out with --beta0, --mu and --tangential");
+  if (!job.given && !(std::holds_alternative<scale::CollisionTime>(job.known.scale) &&
+                      std::holds_alternative<loss::Restitution>(job.known.loss)))
+    throw BadInput("--load", shortest(*o.load), "with --tcol and --en, or with --with");
+  if (o.end == text(ContactEnd::overlap)) throw BadInput("--end", o.end, "force with --load");
+  job.load = o.load;
+  std::erase_if(job.wanted, [](const Wanted& w) { return w.end == ContactEnd::overlap; });
+}
+
 Job job_of(const Options& o) {
-  if (!o.with.empty()) return forward_job(o);
+  if (!o.with.empty()) {
+    Job job = forward_job(o);
+    take_load(job, o);
+    return job;
+  }
   Job job;
   take(job, read(o.asked, Spelling::flags), o.asked.wall);
   require_match_to_matter(o, job.known.scale);
@@ -243,6 +261,7 @@ Job job_of(const Options& o) {
   if (holds &&
       std::any_of(job.wanted.begin(), job.wanted.end(), [](const Wanted& w) { return w.law == kind_of<Fractional>; }))
     job.assumptions.push_back("the fractional law holds the k of the linear law ended by force (--stiffness)");
+  take_load(job, o);
   return job;
 }
 

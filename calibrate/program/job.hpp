@@ -40,6 +40,7 @@ struct Options {
   std::vector<std::string> given;  ///< the options that were typed, "--law"
   std::string engine;              ///< of --export; empty: none
   std::string page;                ///< of --report; empty: none
+  std::optional<double> load;      ///< of --load [N]
   std::string materials;           ///< the file of --materials; empty: none
   console::OutputOptions output;
 };
@@ -72,8 +73,9 @@ struct Job {
   std::optional<double> radius_eff, density;  ///< where they are known: r₁r₂/(r₁+r₂) [m], of both spheres [kg/m³]
   std::optional<double> radius;               ///< of the smaller sphere, where radii were given [m]
   std::optional<TangentialRequest> tangential = {};
-  bool wall = false;       ///< the contact is one of the sphere with a wall
-  std::string title = {};  ///< what was asked for, where that is not `known`
+  bool wall = false;                ///< the contact is one of the sphere with a wall
+  std::optional<double> load = {};  ///< constant, that presses the bodies together [N]
+  std::string title = {};           ///< what was asked for, where that is not `known`
 };
 
 /// Throws console::BadInput naming flag, value and what is accepted.

@@ -51,6 +51,7 @@ Json target_of(const Job& job) {
   if (const auto* l = std::get_if<loss::LossFactor>(&known.loss)) out["loss_factor"] = l->tan_delta;
   if (const auto* l = std::get_if<loss::DampingRatio>(&known.loss)) out["damping_ratio"] = l->ratio;
   if (const auto* l = std::get_if<loss::ConversionDegree>(&known.loss)) out["alpha"] = l->alpha;
+  if (job.load) out["load"] = *job.load;
   if (job.tangential && job.tangential->beta0) out["beta0"] = *job.tangential->beta0;
   if (job.tangential && job.tangential->mu) out["mu"] = *job.tangential->mu;
   return out;
@@ -80,6 +81,8 @@ Json json_of(const Calibration& r, bool given) {
   if (!given) add_search(out, r);
   out["identifiable"] = identifiable_names(r.law);
   if (!r.remarks.empty()) out["remarks"] = r.remarks;
+  if (const auto& u = r.under_load)
+    out["under_load"] = {{"load", u->load}, {"least_velocity", u->least_velocity}, {"clears", u->clears}};
   return out;
 }
 

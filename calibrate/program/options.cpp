@@ -90,6 +90,18 @@ void add_tangential(CLI::App& app, Options& o) {
       ->type_name("NAME");
 }
 
+void add_load(CLI::App& app, Options& o) {
+  const auto read = [&o](const std::string& value) {
+    o.load = console::parse_quantity(value, "N");
+    if (!o.load || !(*o.load > 0 && *o.load >= least_scale && *o.load <= greatest_scale))
+      throw CLI::ValidationError(fmt::format("--load = {}: must be a force [N], {}", value, range_of_scales));
+  };
+  app.add_option_function<std::string>("--load", read,
+                                       "constant load that presses the bodies together, such as a weight [N]; with "
+                                       "--tcol and --en, or --with")
+      ->type_name("NUMBER");
+}
+
 void add_threads(CLI::App& app, Options& o) {
   const auto read = [&o](const std::string& value) {
     const auto number = console::parse_number(value);
@@ -115,7 +127,7 @@ void group_options(CLI::App& app) {
   const std::pair<const char*, std::vector<const char*>> groups[] = {
       {"Law", {"--law", "--end", "--with"}},
       {"Tangential", {"--tangential"}},
-      {"Impact", {"--wall"}},
+      {"Impact", {"--wall", "--load"}},
       {"Method", {"--method", "--algorithm", "--tolerance"}},
       {"Many targets and measured data",
        {"--targets", "--threads", "--fit", "--alpha-of-speed", "--figures", "--materials"}},
@@ -153,6 +165,7 @@ void add_options(CLI::App& app, Options& o) {
   for (const Field& field : fields) add_field(app, o, field);
   add_match(app, o);
   add_tangential(app, o);
+  add_load(app, o);
   std::vector<std::string> laws{"all"};
   laws.insert(laws.end(), Laws::names.begin(), Laws::names.end());
   add_choice(app, "--law", o.law, laws, "law to calibrate (default all)");

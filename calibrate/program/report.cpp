@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include <calibrate/given_law.hpp>
+#include <calibrate/loaded.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -9,12 +10,13 @@ namespace ricochet::calibration {
 namespace {
 
 Outcome outcome_of(const Job& job, const Wanted& wanted, const Settings& settings) {
+  if (job.given && job.load) return answer_under_load(*job.given, job.known.impact, *job.load);
   if (job.given) return answer(*job.given, wanted.end, job.known.impact);
   const auto asked = request_of(wanted.law, wanted.end, job.known);
   if (const auto* missed = std::get_if<Infeasible>(&asked)) return *missed;
   Request request = std::get<Request>(asked);
   if (wanted.law == kind_of<Fractional> && job.stiffness) request.stiffness = job.stiffness;
-  Outcome outcome = calibrate(request, settings);
+  Outcome outcome = job.load ? calibrate_under_load(request, *job.load, settings) : calibrate(request, settings);
   if (const auto* missed = std::get_if<Infeasible>(&outcome)) return in_terms_of(*missed, job.known.loss);
   return outcome;
 }
@@ -96,7 +98,7 @@ std::optional<double> rayleigh_of(const Job& job) {
 }
 
 std::vector<EngineStep> steps_of(const Calibration& c, StepAdvisor& advisor) {
-  if (c.request.target.en > 1) return {};
+  if (c.request.target.en > 1 || c.under_load) return {};
   return advisor(c.law, c.end, c.request.target);
 }
 

@@ -26,10 +26,11 @@ std::string end_of(const Calibration& r) { return std::string(text(r.end)); }
 /// One line a parameter, since every law has its own units.
 Table parameter_table(const Report& report) {
   const Impact& impact = report.job.known.impact;
-  Table table({{"law"}, {"end"}, {"parameter"}, {"value", "", nine}, {"unit"}},
-              fmt::format("{}{} at {} m/s, effective mass {} kg", report.job.given ? "The law " : "Parameters for ",
-                          asked_text(report.job), console::shortest(impact.velocity),
-                          console::significant(impact.mass_eff, 9)));
+  Table table(
+      {{"law"}, {"end"}, {"parameter"}, {"value", "", nine}, {"unit"}},
+      fmt::format("{}{} at {} m/s, effective mass {} kg{}", report.job.given ? "The law " : "Parameters for ",
+                  asked_text(report.job), console::shortest(impact.velocity), console::significant(impact.mass_eff, 9),
+                  report.job.load ? fmt::format(", under {} N", console::shortest(*report.job.load)) : ""));
   for (const auto& r : report.results)
     for (const auto& p : parameters(r.law)) table.row({law_of(r), end_of(r), p.name, p.value, p.unit});
   for (const auto& assumption : report.job.assumptions) table.note("assumed: " + assumption);
@@ -48,6 +49,17 @@ void note_fractional(Table& table, const Calibration& r) {
                     end_of(r), console::significant(law->coefficient(), 9)));
 }
 
+/// Where e_n stops being defined, and what its number does not say.
+void note_load(Table& table, const Calibration& r) {
+  const UnderLoad& u = *r.under_load;
+  if (u.least_velocity > 0)
+    table.note(fmt::format("{}: below {} m/s the load of {} N keeps the bodies together, and there is no en", law_of(r),
+                           console::significant(u.least_velocity, 3), console::shortest(u.load)));
+  if (!u.clears)
+    table.note(fmt::format(
+        "{}: it comes off, but so slowly that the load alone pushes it back before the overlap is gone", law_of(r)));
+}
+
 Table collision_table(const Report& report) {
   std::vector<console::Column> columns{{"law"},
                                        {"end"},
@@ -58,7 +70,9 @@ Table collision_table(const Report& report) {
                                        {"max force", "N"},
                                        {"tcol by Eq. (57)", "s"}};
   if (report.job.radius) columns.push_back({"max overlap/radius", "%", {Notation::Kind::significant, 3}});
-  Table table(columns, report.job.given ? "What it does" : "What they do, by an independent numerical collision");
+  Table table(columns, report.job.load    ? "What happens under the load"
+                       : report.job.given ? "What it does"
+                                          : "What they do, by an independent numerical collision");
   for (const auto& r : report.results) {
     std::vector<Cell> row{law_of(r),
                           end_of(r),
@@ -72,6 +86,8 @@ Table collision_table(const Report& report) {
     table.row(row);
   }
   for (const auto& r : report.results) note_fractional(table, r);
+  for (const auto& r : report.results)
+    if (r.under_load) note_load(table, r);
   for (const auto& r : report.results)
     if (const auto sphere = real_sphere(report.job, r))
       table.note(fmt::format("{}, ended by {}: {}", law_of(r), end_of(r), said(*sphere)));

@@ -153,6 +153,10 @@ std::variant<AnyLaw, Infeasible> of_target(const std::optional<Solution>& direct
 
 }  // namespace
 
+std::optional<AnyLaw> brought_to(const AnyLaw& scaled, const Request& request) {
+  return in_si(scaled, request.target, held_stiffness(request));
+}
+
 void require_request(const Request& request) {
   const auto& [tcol, en, impact] = request.target;
   require_ordinary("tcol", tcol);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <calibrate/calibration.hpp>
+#include <ricochet/collision/loaded.hpp>
 
 #include <string>
 
@@ -13,13 +14,20 @@ struct Solution {
   std::size_t evaluations;  ///< collisions tried
 };
 
-/// The search; its best point, whether or not it met the tolerance.
-Solution search(LawKind law, ContactEnd end, double en, const std::string& algorithm, double tolerance);
+/// The search; its best point, whether or not it met the tolerance. `load` is in the units of the target.
+Solution search(LawKind law, ContactEnd end, double en, const std::string& algorithm, double tolerance,
+                double load = 0);
 
 /// The collision of a law in the units of the target.
-inline Collision unit_collision(LawKind law, const Coordinates& x, ContactEnd end) {
+inline Collision unit_collision(LawKind law, const Coordinates& x, ContactEnd end, double load = 0) {
+  constexpr std::size_t budget = 100'000;  // a force that all but grazes 0 would spend what it gets
+  if (load > 0) return collide_under_load(scaled_law(law, x), {1, 1}, load, {.max_evaluations = budget});
   return collide(scaled_law(law, x), {1, 1}, {end});
 }
+
+/// A law in the units of the target in SI units; the fractional law with the k that it holds. nullopt where a parameter
+/// is then no normal double.
+std::optional<AnyLaw> brought_to(const AnyLaw& scaled, const Request& request);
 
 /// Throws std::invalid_argument for a target or stiffness outside its domain and for an end that the law does not
 /// offer.

@@ -48,6 +48,9 @@ constexpr std::array multiples{
     Multiple{"kN/m", "kg/s^2", 3},
     Multiple{"MN/m", "kg/s^2", 6},
     Multiple{"N s/m", "kg/s", 0},
+    Multiple{"kN", "N", 3},
+    Multiple{"mN", "N", -3},
+    Multiple{"uN", "N", -6},
     Multiple{"%", "", -2},
     // Of kζ^{3/2}: N/mm^1.5 is no power of ten of it.
     Multiple{"N/m^1.5", "kg/(s^2 m^(1/2))", 0},

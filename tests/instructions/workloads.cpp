@@ -140,10 +140,11 @@ void clusters() {
     count(name, steps * cluster.contacts().size(), [&] { cluster.advance(steps); });
   };
   const Friction smooth, rough(0.5, 0.5, 0, 0.1);
-  packed("cluster_linear", Linear(1e5, 15), smooth);
-  packed("cluster_fractional", Fractional(1e5, 15, 0.2), smooth);
+  // Dashpots that the step resolves, as in packings that rebound; rigid friction sweeps whatever they are.
+  packed("cluster_linear", Linear(1e5, 3), smooth);
+  packed("cluster_fractional", Fractional(1e5, 3, 0.2), smooth);
   packed("cluster_linear_friction", Linear(1e5, 15), rough);
-  packed("cluster_linear_springs", Linear(1e5, 15), Friction(0.5, 0.5, 0), LinearTangential(8e4, 5));
+  packed("cluster_linear_springs", Linear(1e5, 3), Friction(0.5, 0.5, 0), LinearTangential(3e4, 1));
 }
 
 }  // namespace

@@ -49,6 +49,13 @@ struct Settings {
 /// and NEWUOA refuses one unknown.
 const std::vector<std::string>& algorithms();
 
+/// A constant load that a contact was followed under.
+struct UnderLoad {
+  double load;            ///< [N]
+  double least_velocity;  ///< below it the bodies do not come off, and e_n is not defined [m/s]
+  bool clears;            ///< they get out of the overlap that is left against the load alone
+};
+
 struct Calibration {
   Request request;  ///< that it answers
   AnyLaw law;
@@ -63,6 +70,7 @@ struct Calibration {
   double cross_difference;              ///< greatest relative difference of an identifiable parameter between the two
   /// What is not as usual: that the search missed the tolerance, how far the numerical path can confirm.
   std::vector<std::string> remarks = {};
+  std::optional<UnderLoad> under_load = {};
 };
 
 /// A target outside what the law can do.

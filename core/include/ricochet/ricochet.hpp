@@ -8,6 +8,7 @@
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/fractional_contact_table.hpp>
 #include <ricochet/collision/instant.hpp>
+#include <ricochet/collision/loaded.hpp>
 #include <ricochet/collision/oblique.hpp>
 #include <ricochet/collision/peer_damping.hpp>
 #include <ricochet/collision/power_law_sphere.hpp>
@@ -16,6 +17,7 @@
 #include <ricochet/collision/scale_and_loss.hpp>
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
 #include <ricochet/collision/solvers/hertzian_forms.hpp>
+#include <ricochet/collision/solvers/permanent_contact.hpp>
 #include <ricochet/collision/solvers/sphere_elements.hpp>
 #include <ricochet/collision/tangential_restitution.hpp>
 #include <ricochet/collision/trace.hpp>

@@ -1,5 +1,6 @@
 #include "../paper.hpp"
 #include "drawings.hpp"
+#include "third_group.hpp"
 
 #include <verify/registry.hpp>
 
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ricochet::verify {
 
@@ -141,8 +143,10 @@ class Figures : public Study {
     const auto laws = figures::table2_laws();
     const figures::DegreeSweep sweep = figures::sweep_degrees();
     StudyResult result;
-    result.tables = {ends(laws), degrees()};
+    const auto third = figures::third_group();
+    result.tables = {ends(laws), degrees(), figures::table(third)};
     result.gates = gates(laws, sweep);
+    for (Gate& gate : figures::gates(third)) result.gates.push_back(std::move(gate));
     result.figures = {figures::figure2(),     figures::figure3(),    figures::figure4(), figures::degree_figure(sweep),
                       figures::figure5(laws), figures::disc_figure()};
     result.verdict = fmt::format(

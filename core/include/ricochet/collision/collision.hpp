@@ -132,8 +132,11 @@ Collision collide(const FractionalHertz& law, const Impact& impact, const Collid
 Collision collide(const FractionalZener& law, const Impact& impact, const CollideOptions& options = {});
 
 namespace collision {
-/// Every duty of the generic `collide`.
-Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& options);
+/// Every duty of the generic `collide`; with a load [N] that of `collide_under_load`.
+Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& options, double load = 0);
+/// Whether the force falls to 0 under a load [N]: by steps good to a per mille, so near the speed where it just does
+/// the answer is as rough.
+bool parts_under(DrivenLaw& law, const Impact& impact, double load);
 /// Shows `visit` a collision that ends by force at some hundred instants, to a per mille or so; the memory of `law` is
 /// then that of the instant. Some 1e5 evaluations at most.
 void walk(DrivenLaw& law, const Impact& impact, const std::function<void(const Instant&)>& visit);

@@ -148,7 +148,7 @@ void Doubling::write(Collision& out) const {
 
 }  // namespace
 
-Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& options) {
+Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& options, double load) {
   support::require_positive("velocity", impact.velocity);
   support::require_positive("mass_eff", impact.mass_eff);
   support::require(options.breakage_energy >= 0, "breakage_energy", options.breakage_energy, ">= 0");
@@ -156,7 +156,7 @@ Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& opt
     throw std::invalid_argument("method = closed_form: the " + std::string(law.name()) + " law has none");
   const std::optional<double> unit = time_scale(law, impact);
   if (!unit) return {.status = CollisionStatus::no_separation};
-  ScaledContact contact(law, impact, *unit);
+  ScaledContact contact(law, impact, *unit, load);
   const Scouted scouted = scout(contact, options.end, options.max_evaluations);
   Collision out{.status = scouted.status,
                 .max_overlap = scouted.deepest.overlap,
@@ -174,6 +174,14 @@ Collision follow(DrivenLaw& law, const Impact& impact, const CollideOptions& opt
   }
   out.evaluations = contact.evaluations();
   return in_units(out, impact, *unit);
+}
+
+bool parts_under(DrivenLaw& law, const Impact& impact, double load) {
+  const std::optional<double> unit = time_scale(law, impact);
+  if (!unit) return false;
+  ScaledContact contact(law, impact, *unit, load);
+  constexpr std::size_t budget = 100'000;
+  return scout(contact, ContactEnd::force, budget).status == CollisionStatus::ended_by_force;
 }
 
 void walk(DrivenLaw& law, const Impact& impact, const Visit& visit) {

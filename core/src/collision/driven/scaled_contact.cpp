@@ -27,11 +27,11 @@ Instant ScaledContact::step(const Instant& now, double h) {
     next.overlap = now.overlap + 0.5 * h * (now.rate + w);
     next.force = scaled(law_.try_step(in_units(now.overlap, now.rate), in_units(next.overlap, w), h * unit_));
     ++evaluations_;
-    return w - now.rate + 0.5 * h * (now.force + next.force);
+    return w - now.rate + h * (0.5 * (now.force + next.force) - load_);
   };
   // Secants, the first with the slope of the step before.
   double slope = 1 + 0.5 * h * stiffness_;
-  double w = now.rate - h * now.force / slope, off = residual(w);
+  double w = now.rate + h * (load_ - now.force) / slope, off = residual(w);
   for (int trial = 1; trial < most_trials; ++trial) {
     const double change = -off / slope;
     if (!(std::abs(change) > rounding * (std::abs(w) + std::abs(now.rate) * 0.5))) break;

@@ -9,15 +9,17 @@
 
 namespace ricochet::collision {
 
-/// The collision x'' + f = 0, x(0) = 0, x'(0) = 1 in the units of its impact: velocity v₀, a time T, length v₀T, force
-/// m v₀/T. Steps it by the implicit trapezoid
-///   w₁ = w₀ − h (f₀ + f₁)/2,  x₁ = x₀ + h (w₀ + w₁)/2,
+/// The collision x'' + f = p, x(0) = 0, x'(0) = 1, p a constant load that presses the bodies together, in the units of
+/// its impact: velocity v₀, a time T, length v₀T, force m v₀/T. Steps it by the implicit trapezoid
+///   w₁ = w₀ + h p − h (f₀ + f₁)/2,  x₁ = x₀ + h (w₀ + w₁)/2,
 /// with the memory advanced along the rate that is linear from w₀ to w₁. The step is its own inverse when time runs
 /// backwards, as `advance` is exact for such a rate: errors over a smooth mesh are a series in even powers of 1/N.
 /// Overlaps below 0 are shown to the law as 0: it need not be defined there.
 class ScaledContact {
  public:
-  ScaledContact(DrivenLaw& law, const Impact& impact, double unit) : law_(law), impact_(impact), unit_(unit) {}
+  /// `load` in N.
+  ScaledContact(DrivenLaw& law, const Impact& impact, double unit, double load = 0)
+      : law_(law), impact_(impact), unit_(unit), load_(scaled(load)) {}
 
   /// Begins at the first touch.
   Instant touch();
@@ -37,6 +39,7 @@ class ScaledContact {
   DrivenLaw& law_;
   Impact impact_;
   double unit_;           // T [s]
+  double load_;           // p
   double stiffness_ = 0;  // rise of f₁ with w₁ in the last step, over its length: where the next one starts
   std::size_t evaluations_ = 0;
 };
