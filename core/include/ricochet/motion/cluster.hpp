@@ -179,16 +179,16 @@ class Cluster {
   };
   // What a contact passes in a step that needs no sweeps, and what is to be booked of it.
   struct Passed {
-    std::uint32_t i, j;
+    std::uint32_t i = 0, j = 0;
     Vec3 linear, on_i, on_j;  // impulse on i and torques
-    double lost_normal, lost_friction, wall_work;
+    double lost_normal = 0, lost_friction = 0, wall_work = 0;
   };
   // How a contact moved over a step, for its record.
   struct Course {
-    double rate_mid;
+    double rate_mid = 0;
     SlipMotion before, after;
-    bool sticks;
-    double slip_fraction;
+    bool sticks = false;
+    double slip_fraction = 0;
   };
   // A body over a step: all that its contacts ask of it, side by side.
   struct Motion {
