@@ -141,7 +141,7 @@ function startPlayer() {
 
   const listen = () => {
     stage.addEventListener('keydown', event => {
-      const does = (event.shiftKey && shifted[event.key]) || keys[event.key];
+      const does = (event.shiftKey && shifted[event.key]) || keys[event.key] || keys[event.key.toLowerCase()];
       if (!does || event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
       actions[does]();
@@ -160,7 +160,7 @@ function startPlayer() {
   };
 
   readAddress(camera, {
-    colour: name => { if (name in colourings) state.colour = name; },
+    colour: name => { if (Object.hasOwn(colourings, name)) state.colour = name; },
     time: value => { state.moment = momentAt(value); },
     contacts: value => check('contacts', value !== 0), walls: value => check('walls', value !== 0),
   });

@@ -128,14 +128,15 @@ class Run {
   }
 
   [[noreturn]] void report(const Breakthrough& through) const {
-    const auto& [i, j, speed] = through;
+    const auto& [i, j, speed, depth] = through;
     const std::string what =
         i == j ? fmt::format("body {} moves by more than its radius in a step, at {} m/s: a smaller \"step\" is needed",
                              roster_.name(i), console::significant(speed, 3))
                : fmt::format(
-                     "bodies {} and {} have gone into each other by more than {} radii, at {} m/s: a stiffer "
-                     "law, or slower bodies, are needed",
-                     roster_.name(i), roster_.name(j), Breakthrough::share, console::significant(speed, 3));
+                     "bodies {} and {} have gone into each other by more than {}, at {} m/s: a stiffer law, or slower "
+                     "bodies, are needed",
+                     roster_.name(i), roster_.name(j), depth == 1 ? "a radius" : fmt::format("{} radii", depth),
+                     console::significant(speed, 3));
     throw console::Failed(
         fmt::format("t = {} s: {}. All before is written", console::significant(cluster_.time(), 6), what));
   }

@@ -202,6 +202,36 @@ TEST_CASE("nobody goes through a surface that ends somewhere without being notic
   CHECK(went_through(1.02 * stops));
 }
 
+TEST_CASE("over a hole too narrow for it nobody has gone through the surface around") {
+  ClusterSetup setup = with_law(Linear(1e4, 0.5));
+  setup.gravity = {0, 0, -9.81};
+  setup.walls = {{.inward = {0, 0, 1}, .form = surface::Cone{.length = 0, .first = 0.9 * r, .last = 10 * r}}};
+  Sphere s{.radius = r, .density = rho};
+  s.position = {0.01 * r, 0, 2 * r};
+  setup.spheres = {s};
+  Cluster cluster(setup, steps_of(1e-5));
+  for (int k = 0; k < 20000; ++k) {
+    cluster.step();
+    REQUIRE_FALSE(cluster.breakthrough());
+  }
+  CHECK(cluster.position(0).z > 0.3 * r);  // its centre rests by 0.44 r over the hole
+}
+
+TEST_CASE("a motion among walls that swing goes on from any step to the last bit") {
+  ClusterSetup setup = with_law(Linear(1e4, 0.5));
+  setup.gravity = {0, 0, -9.81};
+  setup.walls = {{.motion = {.amplitude = {0, 0, 0.1 * r}, .frequency = 37}}};
+  setup.spheres = {{.radius = r, .density = rho, .position = {0, 0, 1.2 * r}}};
+  const ClusterOptions options = steps_of(1.7e-5);
+  Cluster through(setup, options);
+  for (int stop = 0; stop < 300; ++stop) {  // some of whose times are rounded otherwise than a sum of steps
+    REQUIRE(through.advance(7));
+    Cluster resumed(setup, options);
+    resumed.restore(through.state());
+    REQUIRE(resumed.state().velocities == through.state().velocities);  // the wall's too
+  }
+}
+
 TEST_CASE("a wall that comes to a sphere finds it") {
   ClusterSetup setup = with_law(Linear(1e5, 0));
   setup.walls = {{.point = {0, 0, -0.3}, .motion = {.velocity = {0, 0, 1}}}};

@@ -227,12 +227,13 @@ std::optional<Breakthrough> Cluster::breakthrough() const noexcept {
   for (const ContactState& c : state_.contacts) {
     const auto [i, j] = std::pair(c.record.i, c.record.j);
     const double radius = j < size() ? std::min(radii_[i], radii_[j]) : radii_[i];
-    if (c.approach.overlap > Breakthrough::share * radius || crossed(c))
-      return Breakthrough{i, j, norm(relative_velocity(i, j))};
+    const bool across = crossed(c);
+    if (c.approach.overlap > Breakthrough::share * radius || across)
+      return Breakthrough{i, j, norm(relative_velocity(i, j)), across ? 1 : Breakthrough::share};
   }
   for (std::uint32_t i = 0; i < size(); ++i)
     if (const double speed = norm(state_.velocities[i]); speed * options_.step > radii_[i])
-      return Breakthrough{i, i, speed};
+      return Breakthrough{.i = i, .j = i, .speed = speed};
   return std::nullopt;
 }
 

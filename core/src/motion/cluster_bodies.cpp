@@ -48,10 +48,14 @@ bool Cluster::walls_moved() noexcept {
 bool Cluster::crossed(const ContactState& c) const noexcept {
   const std::uint32_t i = c.record.i, j = c.record.j;
   if (j < size() || !wall_of(j).two_sided()) return false;
-  const double h = options_.step;
-  const Vec3 now = state_.half_positions[i], before = now - h * state_.velocities[i];
+  const double h = options_.step, then = middle() - h;
+  const Vec3 way = h * state_.velocities[i], now = state_.half_positions[i];
   const motion::Surface& wall = wall_of(j);
-  return dot(wall.meet(now, radii_[i], middle()).normal, wall.meet(before, radii_[i], middle() - h).normal) < 0;
+  const ContactGeometry is = wall.meet(now, radii_[i], middle()), was = wall.meet(now - way, radii_[i], then);
+  if (dot(is.normal, was.normal) >= 0) return false;
+  // Over a hole the normal turns round as well, far from the surface: who goes through it was nearer than its way.
+  const double distances = 2 * radii_[i] - is.overlap - was.overlap;
+  return distances <= (norm(way) + wall.moved(then, middle())) * (1 + 1e-9);
 }
 
 void Cluster::add_sphere(const Sphere& s) {

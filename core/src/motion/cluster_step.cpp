@@ -43,7 +43,8 @@ void Cluster::note_end() {
 void Cluster::kick_by_fields() {
   const double h = options_.step;
   for (std::size_t i = 0; i < size(); ++i) state_.velocities[i] += h * gravity_;
-  if (walls_swing_) set_wall_velocities(time() + h);
+  // At the step's end, to the bit as restore() takes it.
+  if (walls_swing_) set_wall_velocities(static_cast<double>(state_.steps + 1) * h);
   if (!long_range_) return;
   field_forces_.assign(size(), {});
   long_range_(time() + 0.5 * h, state_.half_positions, field_forces_);

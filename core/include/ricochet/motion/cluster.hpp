@@ -80,6 +80,7 @@ struct Breakthrough {
   static constexpr double share = 1.5;
   std::uint32_t i = 0, j = 0;  ///< bodies; walls count from the number of spheres
   double speed = 0;            ///< at which they approach, or the sphere flies [m/s]
+  double depth = share;        ///< that they passed, in smaller radii: 1 of a surface that ends somewhere
 };
 
 /// Spheres and walls in motion: any normal law for each pair of materials, also one of your own, friction with torsion
