@@ -233,6 +233,14 @@ std::string body(const Scene& scene, std::size_t k) {
   return k < spheres ? fmt::format("sphere {}", k + 1) : scene.wall_names[k - spheres];
 }
 
+// The period of the wall that swings fastest [s]; infinite where none does.
+double shortest_swing(const ClusterSetup& setup) {
+  double greatest = 0;
+  for (const Wall& wall : setup.walls)
+    if (wall.motion.amplitude != Vec3{}) greatest = std::max(greatest, wall.motion.frequency);
+  return greatest > 0 ? 1 / greatest : std::numeric_limits<double>::infinity();
+}
+
 // The step, such that the output interval is a whole number of steps.
 void choose_step(const Node& root, Scene& scene) {
   const double duration = root.at("duration").positive();
@@ -240,7 +248,9 @@ void choose_step(const Node& root, Scene& scene) {
   if (interval > duration) root.at("output_interval").reject("at most the duration");
   scene.stiffest = stiffest_contact(scene.setup);
   const double tcol = scene.stiffest.tcol;
-  double step = tcol > 0 ? std::min(tcol / steps_per_collision, interval) : interval / 100;
+  const double period = shortest_swing(scene.setup);
+  double step = std::min(tcol > 0 ? std::min(tcol / steps_per_collision, interval) : interval / 100,
+                         period / steps_per_collision);
   if (root.has("step")) {
     step = root.at("step").positive();
     if (step > interval) root.at("step").reject(fmt::format("at most the output interval, {} s", shortest(interval)));
@@ -248,6 +258,9 @@ void choose_step(const Node& root, Scene& scene) {
       root.at("step").reject(fmt::format("at most {} s, a 20th of the {} s that {} and {} collide",
                                          shortest(tcol / least_steps_per_collision), significant(tcol, 3),
                                          body(scene, scene.stiffest.i), body(scene, scene.stiffest.j)));
+    if (step > period / least_steps_per_collision)
+      root.at("step").reject(fmt::format("at most {} s, a 20th of the {} s that a wall takes to swing",
+                                         shortest(period / least_steps_per_collision), significant(period, 3)));
   }
   const double per_output = std::ceil(interval / step * (1 - 1e-12));
   if (duration / step > 1e15)

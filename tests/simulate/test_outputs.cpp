@@ -190,6 +190,20 @@ TEST_CASE("a step may be a 20th of the shortest collision, and no more") {
   CHECK_THROWS_WITH(read_scene("s.json", with_step(1 / 19.8)), Catch::Contains("a 20th of the 0.002 s that"));
 }
 
+TEST_CASE("a step resolves the walls that swing") {
+  const auto with_step = [](const std::string& step) {
+    return read_scene("s.json", R"({"duration": 0.001, )" + step + R"("materials": {"g": {"density": 2500}},
+    "interactions": [{"between": ["g", "g"], "law": {"name": "linear", "k": 1e2, "c": 0}}],
+    "walls": [{"point": [0, 0, 0], "inward": [0, 0, 1], "material": "g",
+               "oscillation": {"amplitude": [0, 0, 1e-5], "frequency": 50000}}],
+    "spheres": [{"radius": 0.01, "material": "g", "position": [0, 0, 0.02]}]})");
+  };
+  CHECK(with_step("").options.step == Approx(2e-5 / 200));
+  CHECK_NOTHROW(with_step("\"step\": 9.9e-7, "));
+  CHECK_THROWS_WITH(with_step("\"step\": 1.01e-6, "),
+                    Catch::EndsWith(" s, a 20th of the 2e-05 s that a wall takes to swing"));
+}
+
 TEST_CASE("what springs hold stands under its own name: both swing, along the normal with m, across it with (2/7) m") {
   constexpr double r = 0.002, k = 1e8, k_t = 3e7, away = 1, along = 0.1, t = 1.1e-6;
   const double m = 4.0 / 3 * pi * r * r * r * 2500, m_t = 2.0 / 7 * m;

@@ -22,7 +22,7 @@ constexpr int finest = 512;
 double observed(const std::vector<double>& errors) { return std::log2(errors[errors.size() - 4] / errors.back()) / 3; }
 
 ThirdGroup follow(double alpha) {
-  const Impact& impact = paper::pair.impact;
+  const Impact impact{.velocity = paper::pair.impact.velocity, .mass_eff = paper::pair.impact.mass_eff};
   const Fractional law(paper::alpha_study_k, paper::alpha_study_c, alpha);
   const FractionalTrajectory exact(law.coefficient(), alpha, impact.mass_eff, impact.velocity);
   ThirdGroup group{.alpha = alpha, .steps = {}, .uniform = {}, .graded = {}, .distance = 0};
@@ -45,6 +45,7 @@ ThirdGroup follow(double alpha) {
 
 std::vector<ThirdGroup> third_group() {
   std::vector<ThirdGroup> groups;
+  groups.reserve(paper::no_rebound_degrees.size());
   for (const double alpha : paper::no_rebound_degrees) groups.push_back(follow(alpha));
   return groups;
 }

@@ -68,6 +68,7 @@ Refinement in_space(double alpha) {
 Refinement of_ting(double alpha) {
   const std::vector<int> nodes{8, 12, 16, 24, 32};
   std::vector<double> en;
+  en.reserve(nodes.size());
   for (const int n : nodes) en.push_back(power_law_sphere(alpha, n).en);
   return against(power_law_sphere(alpha, finest_ting).en, alpha, nodes, en);
 }
