@@ -69,6 +69,7 @@ std::string all_flags(const std::vector<Word>& words) {
 
 std::string names_of(const std::vector<const CLI::App*>& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const CLI::App* command : commands) names.push_back(command->get_name());
   return fmt::format("{}", fmt::join(names, " "));
 }
@@ -87,7 +88,7 @@ std::string bash_values(const std::vector<Word>& words, const std::string& inden
 
 std::string bash_completion(const CLI::App& app) {
   const auto commands = commands_of(app);
-  const std::string name = app.get_name();
+  const std::string& name = app.get_name();
   std::string text = fmt::format("# bash completion of {0}\n_ricochet_{0}() {{\n", name);
   text += "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} words files=-f\n  COMPREPLY=()\n";
   const auto branch = [&](const CLI::App& of, const std::string& indent) {
@@ -113,7 +114,7 @@ std::string bash_completion(const CLI::App& app) {
 }
 
 /// In single quotes, as zsh's _arguments and fish read a description.
-std::string quoted(std::string text) {
+std::string quoted(const std::string& text) {
   std::string out;
   for (const char c : text)
     if (c == '\'')
@@ -175,7 +176,7 @@ std::string fish_options(const std::string& program, const std::string& when, co
 }
 
 std::string fish_completion(const CLI::App& app) {
-  const std::string name = app.get_name();
+  const std::string& name = app.get_name();
   const auto commands = commands_of(app);
   std::string text = fmt::format("# fish completion of {}\n", name);
   if (commands.empty()) return text + fish_options(name, "", words_of(app));

@@ -11,8 +11,8 @@
 namespace ricochet::simulate {
 
 struct Material {
-  std::size_t index;
-  std::optional<double> density;
+  std::size_t index = 0;
+  std::optional<double> density = {};
 };
 using Materials = std::map<std::string, Material>;
 

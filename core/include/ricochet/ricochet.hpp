@@ -59,6 +59,7 @@
 #include <ricochet/motion/engine/memory_slots.hpp>
 #include <ricochet/motion/engine/normal_contacts.hpp>
 #include <ricochet/motion/engine/surface.hpp>
+#include <ricochet/motion/engine/workers.hpp>
 #include <ricochet/motion/event_driven_column.hpp>
 #include <ricochet/motion/linked_cells.hpp>
 #include <ricochet/motion/normal_law.hpp>

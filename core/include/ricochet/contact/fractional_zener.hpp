@@ -57,6 +57,7 @@ class FractionalZener {
 class FractionalZenerArms : public MaxwellArms {
  public:
   static constexpr std::string_view name = FractionalZener::name;
+  // cppcheck-suppress duplInheritedMember ; fewer than of the laws whose kernel is all that they have
   static constexpr std::size_t max_kernel_arms = max_arms - 1;
 
   /// As FractionalArms, for a kernel of at most max_kernel_arms arms.

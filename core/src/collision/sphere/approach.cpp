@@ -23,9 +23,8 @@ double gamma_quotient(double x, double alpha) { return std::exp(std::lgamma(x) -
 
 }  // namespace
 
-SphereApproach::SphereApproach(double alpha) : alpha_(alpha), p_(2.5 - alpha) {
+SphereApproach::SphereApproach(double alpha) : alpha_(alpha), p_(2.5 - alpha), overlap_{1} {
   std::vector<double> power{1};
-  overlap_ = {1};
   for (int j = 0; j < terms; ++j) {
     const double at = p_ * j, next = p_ * (j + 1);
     rate_.push_back((1 + at) * overlap_.back());
