@@ -17,6 +17,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <optional>
 
 namespace ricochet::simulate {
@@ -87,12 +88,12 @@ class Run {
   void take_up(const Checkpoint& from) {
     Roster now = roster_;
     now.who() = from.present;
-    std::vector<std::uint32_t> all(cluster_.size());
-    std::iota(all.begin(), all.end(), 0u);
-    std::vector<Sphere> spheres;
-    spheres.reserve(now.size());
-    for (std::size_t k = 0; k < now.size(); ++k) spheres.push_back(now.sphere(k));
     if (now.who() != roster_.who()) {
+      std::vector<std::uint32_t> all(cluster_.size());
+      std::iota(all.begin(), all.end(), 0u);
+      std::vector<Sphere> spheres;
+      spheres.reserve(now.size());
+      for (std::size_t k = 0; k < now.size(); ++k) spheres.push_back(now.sphere(k));
       cluster_.remove(all);
       cluster_.add(spheres);
       roster_ = now;

@@ -1,4 +1,7 @@
 // Walls of every form, periodic space, starts, and spheres that come and go: from the scene to the files.
+#include "complaints.hpp"
+#include "console/temporary_folder.hpp"
+
 #include <catch2/catch.hpp>
 #include <console/exit.hpp>
 #include <console/json.hpp>
@@ -8,29 +11,13 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
-
-#include <unistd.h>
 
 using namespace ricochet;
 using namespace ricochet::simulate;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string read_file(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("ricochet-bodies-" + std::to_string(::getpid()));
-  Folder() { fs::remove_all(path), fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-};
 
 std::string scene_of(const std::string& bodies, const std::string& duration = "0.01") {
   return R"({"duration": )" + duration + R"(, "gravity": [0, 0, -9.81],
@@ -48,14 +35,7 @@ Scene read(const std::string& bodies, const std::string& duration = "0.01") {
   return read_scene("s.json", scene_of(bodies, duration));
 }
 
-std::string complaint(const std::string& bodies) {
-  try {
-    read(bodies);
-  } catch (const console::BadInput& error) {
-    return std::regex_replace(std::string(error.what()), std::regex("^s\\.json:\\d+:\\d+: "), "");
-  }
-  return "accepted";
-}
+std::string complaint(const std::string& bodies) { return complaint_of(scene_of(bodies)); }
 
 const std::string bead = R"("spheres": [{"radius": 0.01, "material": "glass bead", "position": [0, 0, 0]}], )";
 
@@ -144,12 +124,12 @@ TEST_CASE("periodic borders are read, and refused where they are too near or wal
 }
 
 TEST_CASE("what falls through a periodic floor is written inside its box, by material and number") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Scene scene = read(R"("periodic": {"z": [0, 0.1]}, "spheres": [
     {"radius": 0.01, "material": "glass bead", "position": [0, 0, 0.02]}])",
                            "0.2");
-  REQUIRE(run(scene, folder.path, false) == 0);
-  std::istringstream lines(read_file(folder.path / "trajectory.xyz"));
+  REQUIRE(run(scene, folder.path(), false) == 0);
+  std::istringstream lines(read_file(folder.path() / "trajectory.xyz"));
   std::string line;
   double greatest = 0, least = 1;
   while (std::getline(lines, line)) {
@@ -172,15 +152,15 @@ TEST_CASE("what falls through a periodic floor is written inside its box, by mat
 }
 
 TEST_CASE("a packing goes on from a frame of its trajectory, overlaps and all") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string box = R"("boxes": [{"low": [-0.02, -0.02, 0], "high": [0.02, 0.02, 0.1], "material": "steel"}])";
   const Scene poured = read(R"("pour": [{"number": 40, "material": "glass bead", "radius": 0.004,
     "region": {"low": [-0.02, -0.02, 0], "high": [0.02, 0.02, 0.06]}}], )" +
                                 box,
                             "0.15");
-  REQUIRE(run(poured, folder.path / "poured", false) == 0);
+  REQUIRE(run(poured, folder.path() / "poured", false) == 0);
   const auto from = [&](const std::string& frame) {
-    return read_scene((folder.path / "scene.json").string(),
+    return read_scene((folder.path() / "scene.json").string(),
                       scene_of(R"("start": {"trajectory": "poured/trajectory.xyz")" + frame + "}, " + box, "0.02"));
   };
   const Scene settled = from("");
@@ -190,7 +170,7 @@ TEST_CASE("a packing goes on from a frame of its trajectory, overlaps and all") 
   CHECK(cluster.contacts().size() > 10);
   CHECK(cluster.energy().stored > 0);
   // The masses, places and speeds of the last frame, to the last bit that was written.
-  std::istringstream lines(read_file(folder.path / "poured/trajectory.xyz"));
+  std::istringstream lines(read_file(folder.path() / "poured/trajectory.xyz"));
   std::string line, last;
   while (std::getline(lines, line)) last = line;
   const Sphere& s = settled.setup.spheres[39];
@@ -209,7 +189,7 @@ TEST_CASE("a packing goes on from a frame of its trajectory, overlaps and all") 
                     Catch::Contains("/start/frame = 101: must be less than 101, the number of "
                                     "frames in"));
   const auto with_file = [&](const std::string& text) {
-    std::ofstream(folder.path / "poured/trajectory.xyz") << text;
+    std::ofstream(folder.path() / "poured/trajectory.xyz") << text;
     try {
       from("");
     } catch (const console::BadInput& error) {
@@ -234,10 +214,10 @@ TEST_CASE("a packing goes on from a frame of its trajectory, overlaps and all") 
 }
 
 TEST_CASE("spheres are poured over time and leave by an outlet, and the balance counts them") {
-  const Folder folder;
+  const TemporaryFolder folder;
   REQUIRE(run(
-              read(hopper("60"), "0.12"), folder.path, false, [] {}, Format::vtk) == 0);
-  std::istringstream lines(read_file(folder.path / "energy.csv"));
+              read(hopper("60"), "0.12"), folder.path(), false, [] {}, Format::vtk) == 0);
+  std::istringstream lines(read_file(folder.path() / "energy.csv"));
   std::string line;
   std::getline(lines, line);
   std::vector<std::vector<double>> rows;
@@ -256,26 +236,26 @@ TEST_CASE("spheres are poured over time and leave by an outlet, and the balance 
   CHECK(most > 30);
   CHECK(rows.back()[11] < most);
   CHECK(rows.back()[10] > 0);
-  const std::string contacts = read_file(folder.path / "contacts.csv");
+  const std::string contacts = read_file(folder.path() / "contacts.csv");
   CHECK(contacts.find("funnel") != std::string::npos);
-  const console::Json series = console::Json::parse(read_file(folder.path / "vtk/spheres.vtk.series"));
+  const console::Json series = console::Json::parse(read_file(folder.path() / "vtk/spheres.vtk.series"));
   REQUIRE(series.at("files").size() == 101);
   CHECK(series.at("files").at(100).at("name") == "spheres.000100.vtk");
   CHECK(series.at("files").at(100).at("time").get<double>() == Approx(0.12));
   // Each of those there at the end has its line in every part of the frame.
   const auto there = static_cast<std::size_t>(rows.back()[11]);
-  const std::string frame = read_file(folder.path / "vtk/spheres.000100.vtk");
+  const std::string frame = read_file(folder.path() / "vtk/spheres.000100.vtk");
   CHECK(frame.find("POINTS " + std::to_string(there) + " double") != std::string::npos);
   CHECK(static_cast<std::size_t>(std::count(frame.begin(), frame.end(), '\n')) == 8 + 1 + 1 + 8 + 2 + 8 * there);
 }
 
 TEST_CASE("a run that pours and loses spheres goes on to the same bytes wherever it was stopped") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Scene scene = read(hopper("40"), "0.09");
   REQUIRE(run(
-              scene, folder.path / "whole", false, [] {}, Format::vtk) == 0);
+              scene, folder.path() / "whole", false, [] {}, Format::vtk) == 0);
   // One state after another is made the start of a run that ends at the next.
-  const fs::path parts = folder.path / "parts";
+  const fs::path parts = folder.path() / "parts";
   Scene shorter = scene;
   for (const double share : {0.2, 0.45, 0.8, 1.0}) {
     shorter.steps = static_cast<std::uint64_t>(share * static_cast<double>(scene.steps));
@@ -289,5 +269,5 @@ TEST_CASE("a run that pours and loses spheres goes on to the same bytes wherever
   }
   // contacts.csv is another: a run that ends tells of contacts that last.
   for (const char* file : {"trajectory.xyz", "energy.csv", "vtk/spheres.000100.vtk", "vtk/spheres.vtk.series"})
-    CHECK(read_file(parts / file) == read_file(folder.path / "whole" / file));
+    CHECK(read_file(parts / file) == read_file(folder.path() / "whole" / file));
 }

@@ -1,6 +1,7 @@
 // Lattices, pours, the sizes they draw and the random numbers behind them.
+#include "complaints.hpp"
+
 #include <catch2/catch.hpp>
-#include <console/exit.hpp>
 #include <simulate/random.hpp>
 #include <simulate/scene.hpp>
 
@@ -25,14 +26,7 @@ std::string scene_of(const std::string& bodies) {
 
 Scene read(const std::string& bodies) { return read_scene("s.json", scene_of(bodies)); }
 
-std::string complaint(const std::string& bodies) {
-  try {
-    read(bodies);
-  } catch (const console::BadInput& error) {
-    return std::regex_replace(std::string(error.what()), std::regex("^s\\.json:\\d+:\\d+: "), "");
-  }
-  return "accepted";
-}
+std::string complaint(const std::string& bodies) { return complaint_of(scene_of(bodies)); }
 
 // Of many in a region without end, as far as sizes go.
 std::vector<double> radii(const std::string& sizes, int number = 20000) {

@@ -1,4 +1,5 @@
 // A run that is stopped in the middle of contacts of every law goes on to the same bytes.
+#include "console/temporary_folder.hpp"
 #include "open_contacts.hpp"
 
 #include <catch2/catch.hpp>
@@ -9,9 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <sstream>
-
-#include <unistd.h>
 
 using namespace ricochet;
 using namespace ricochet::simulate;
@@ -19,19 +17,6 @@ using namespace ricochet::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string read(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("ricochet-resume-" + std::to_string(::getpid()));
-  Folder() { fs::remove_all(path); }
-  ~Folder() { fs::remove_all(path); }
-};
 
 /// Forces that do nothing but stop the run in the middle of one of its steps, counted from 0.
 void stop_at(Scene& scene, std::uint64_t step) {
@@ -48,18 +33,18 @@ void do_nothing(Scene& scene) {
 }  // namespace
 
 TEST_CASE("a run stopped in the middle of contacts of every law goes on to the same bytes") {
-  const Folder folder;
+  const TemporaryFolder folder;
   Scene scene = open_contacts();
   do_nothing(scene);
-  const fs::path whole = folder.path / "whole";
+  const fs::path whole = folder.path() / "whole";
   REQUIRE(run(scene, whole, false) == 0);
   // Right after the touch, where memories are half a step old; in the compression; later.
   for (const std::uint64_t stop : {0U, 400U, 900U}) {
     CAPTURE(stop);
-    const fs::path parts = folder.path / std::to_string(stop);
+    const fs::path parts = folder.path() / std::to_string(stop);
     stop_at(scene, stop);
     REQUIRE(run(scene, parts, false) == SIGINT);
-    const console::Json state = console::Json::parse(read(parts / "state.json"));
+    const console::Json state = console::Json::parse(read_file(parts / "state.json"));
     REQUIRE(state.at("steps") == stop + 1);
     std::set<std::string> laws;
     int rolling = 0, twisting = 0, rubbing = 0, strained = 0;
@@ -79,7 +64,7 @@ TEST_CASE("a run stopped in the middle of contacts of every law goes on to the s
     REQUIRE(run(scene, parts, true) == 0);
     for (const char* file : {"trajectory.xyz", "contacts.csv", "energy.csv", "state.json"}) {
       CAPTURE(file);
-      CHECK(read(parts / file) == read(whole / file));
+      CHECK(read_file(parts / file) == read_file(whole / file));
     }
   }
 }

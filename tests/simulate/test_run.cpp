@@ -1,3 +1,5 @@
+#include "console/temporary_folder.hpp"
+
 #include <catch2/catch.hpp>
 #include <console/exit.hpp>
 #include <simulate/run.hpp>
@@ -5,9 +7,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
-
-#include <unistd.h>
 
 using namespace ricochet;
 using namespace ricochet::simulate;
@@ -15,75 +14,62 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string read(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 Scene bounce(const std::string& duration) {
-  std::string text = read(RICOCHET_SOURCE_DIR "/data/scenes/bounce.json");
+  std::string text = read_file(RICOCHET_SOURCE_DIR "/data/scenes/bounce.json");
   const std::string was = "\"duration\": 0.5";
   return read_scene("bounce.json", text.replace(text.find(was), was.size(), "\"duration\": " + duration));
 }
 
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("ricochet-simulate-" + std::to_string(::getpid()));
-  Folder() { fs::remove_all(path); }
-  ~Folder() { fs::remove_all(path); }
-};
-
 }  // namespace
 
 TEST_CASE("an interrupted run, resumed, gives the bytes of one that was never stopped") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Scene scene = bounce("2");
-  const std::string whole = folder.path / "whole", parts = folder.path / "parts";
+  const std::string whole = folder.path() / "whole", parts = folder.path() / "parts";
   REQUIRE(run(scene, whole, false) == 0);
   // Noted as the run begins; test_resume.cpp stops in the middle of contacts.
   REQUIRE(run(scene, parts, false, [] { std::raise(SIGINT); }) == SIGINT);
-  CHECK(read(parts + "/trajectory.xyz").size() < read(whole + "/trajectory.xyz").size());
+  CHECK(read_file(parts + "/trajectory.xyz").size() < read_file(whole + "/trajectory.xyz").size());
   // What was written after the state is cut away again.
   std::ofstream(parts + "/energy.csv", std::ios::app) << "half a li";
   CHECK(run(scene, parts, true) == 0);
   for (const char* file : {"/trajectory.xyz", "/contacts.csv", "/energy.csv", "/state.json"})
-    CHECK(read(parts + file) == read(whole + file));
+    CHECK(read_file(parts + file) == read_file(whole + file));
   CHECK(run(scene, parts, true) == 0);  // nothing left to do
-  CHECK(read(whole + "/state.json").find("\"unconverged_steps\":0") != std::string::npos);
+  CHECK(read_file(whole + "/state.json").find("\"unconverged_steps\":0") != std::string::npos);
 }
 
 TEST_CASE("a run that breaks down leaves what can be resumed, or nothing") {
-  const Folder folder;
+  const TemporaryFolder folder;
   Scene scene = bounce("0.01");
   // The check of a scene would refuse this step; the energy of a fall this fast overflows within the run, not at its
   // start.
   scene.setup.gravity = {0, 0, -1e160};
-  CHECK_THROWS_AS(run(scene, folder.path / "falls", false), console::Failed);
+  CHECK_THROWS_AS(run(scene, folder.path() / "falls", false), console::Failed);
   for (const char* file : {"trajectory.xyz", "contacts.csv", "energy.csv", "state.json"}) {
-    const std::string text = read(folder.path / "falls" / file);
+    const std::string text = read_file(folder.path() / "falls" / file);
     CAPTURE(file);
     CHECK(!text.empty());
     CHECK(text.find("inf") == std::string::npos);
     CHECK(text.find("nan") == std::string::npos);
   }
-  CHECK_THROWS_AS(run(scene, folder.path / "falls", true), console::Failed);  // goes on, to the same end
+  CHECK_THROWS_AS(run(scene, folder.path() / "falls", true), console::Failed);  // goes on, to the same end
   scene.setup.spheres[0].velocity = {0, 0, 1e200};
-  CHECK_THROWS_WITH(run(scene, folder.path / "flies", false), Catch::StartsWith("t = 0: "));
-  CHECK_FALSE(fs::exists(folder.path / "flies"));
+  CHECK_THROWS_WITH(run(scene, folder.path() / "flies", false), Catch::StartsWith("t = 0: "));
+  CHECK_FALSE(fs::exists(folder.path() / "flies"));
 }
 
 TEST_CASE("contacts.csv names a permanent contact, and a breakage where the contact can take up no more") {
   // Two spheres of 8.38e-3 kg meet at 1 m/s: ½ m v² = 2.1e-3 J of their effective mass.
   const auto ended = [](const std::string& energy) {
-    const Folder folder;
+    const TemporaryFolder folder;
     const std::string scene = R"({"duration": 1, "materials": {"clay": {"density": 2000}}, "interactions": [{"between":
       ["clay", "clay"], "law": {"name": "fractional", "k": 1000, "c": 1, "alpha": 1})" +
                               energy + R"(}], "spheres": [
       {"radius": 0.01, "material": "clay", "position": [0, 0, 0], "velocity": [0.5, 0, 0]},
       {"radius": 0.01, "material": "clay", "position": [0.0201, 0, 0], "velocity": [-0.5, 0, 0]}]})";
-    REQUIRE(run(read_scene("clay.json", scene), folder.path, false) == 0);
-    return read(folder.path / "contacts.csv");
+    REQUIRE(run(read_scene("clay.json", scene), folder.path(), false) == 0);
+    return read_file(folder.path() / "contacts.csv");
   };
   CHECK(ended("").find(",,permanent contact,compression") != std::string::npos);
   CHECK(ended(R"(, "breakage_energy": 3e-3)").find(",,permanent contact,") != std::string::npos);
@@ -91,24 +77,24 @@ TEST_CASE("contacts.csv names a permanent contact, and a breakage where the cont
 }
 
 TEST_CASE("a run does not overwrite another, nor continue one of another scene") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Scene scene = bounce("0.01");
-  REQUIRE(run(scene, folder.path, false) == 0);
-  CHECK_THROWS_WITH(run(scene, folder.path, false), Catch::Contains("holds a run already; --resume"));
-  CHECK_THROWS_WITH(run(bounce("0.02"), folder.path, true), Catch::Contains("of another scene"));
-  CHECK_THROWS_WITH(run(scene, folder.path / "none", true),
-                    (folder.path / "none/state.json").string() + ": cannot be read: No such file or directory");
-  fs::create_directory(folder.path / "somebodys");
-  std::ofstream(folder.path / "somebodys/energy.csv") << "mine";
-  CHECK_THROWS_WITH(run(scene, folder.path / "somebodys", false),
+  REQUIRE(run(scene, folder.path(), false) == 0);
+  CHECK_THROWS_WITH(run(scene, folder.path(), false), Catch::Contains("holds a run already; --resume"));
+  CHECK_THROWS_WITH(run(bounce("0.02"), folder.path(), true), Catch::Contains("of another scene"));
+  CHECK_THROWS_WITH(run(scene, folder.path() / "none", true),
+                    (folder.path() / "none/state.json").string() + ": cannot be read: No such file or directory");
+  fs::create_directory(folder.path() / "somebodys");
+  std::ofstream(folder.path() / "somebodys/energy.csv") << "mine";
+  CHECK_THROWS_WITH(run(scene, folder.path() / "somebodys", false),
                     Catch::Contains("holds energy.csv without the state.json of a run"));
-  CHECK(read(folder.path / "somebodys/energy.csv") == "mine");
-  std::ofstream(folder.path / "state.json") << "{}";
-  CHECK_THROWS_WITH(run(scene, folder.path, true), Catch::Contains("must be a state that simulate saved"));
+  CHECK(read_file(folder.path() / "somebodys/energy.csv") == "mine");
+  std::ofstream(folder.path() / "state.json") << "{}";
+  CHECK_THROWS_WITH(run(scene, folder.path(), true), Catch::Contains("must be a state that simulate saved"));
 }
 
 TEST_CASE("a run ends where bodies go through each other, and says which, when and how fast") {
-  const Folder folder;
+  const TemporaryFolder folder;
   // From rest under a gravity that makes it 45 m/s at the wall: nobody can know at the start.
   const auto scene = [](const std::string& k, const std::string& gravity) {
     return read_scene("s.json", R"({"duration": 0.2, "gravity": [0, 0, -)" + gravity + R"(],
@@ -119,12 +105,12 @@ TEST_CASE("a run ends where bodies go through each other, and says which, when a
   "walls": [{"point": [0, 0, 0], "inward": [0, 0, 1], "material": "w"}]})");
   };
   // It falls 1 m in sqrt(2/1000) s = 0.0447 s; 0.015 m deep at 44.9 m/s less what the spring takes.
-  CHECK_THROWS_WITH(run(scene("1e4", "1000"), folder.path / "wall", false),
+  CHECK_THROWS_WITH(run(scene("1e4", "1000"), folder.path() / "wall", false),
                     Catch::Matchers::Matches("t = 0\\.045[0-9]* s: bodies 1 and wall1 have gone into each other by "
                                              "more than 1\\.5 radii, at 4[0-4]\\.?[0-9]* m/s: a stiffer law, or slower "
                                              "bodies, are needed\\. All before is written"));
-  CHECK(read(folder.path / "wall/trajectory.xyz").find("Time=0.044") != std::string::npos);
-  CHECK(run(scene("1e6", "1000"), folder.path / "stiff", false) == 0);
+  CHECK(read_file(folder.path() / "wall/trajectory.xyz").find("Time=0.044") != std::string::npos);
+  CHECK(run(scene("1e6", "1000"), folder.path() / "stiff", false) == 0);
   // Who insists is told, and stopped where it comes about: at 100 m/s, and at 1e4 m/s, which a step cannot resolve.
   const auto insisting = [](const std::string& speed) {
     return read_scene("s.json", R"({"insist": true, "duration": 0.01, "materials": {"g": {"density": 2000}},
@@ -135,14 +121,14 @@ TEST_CASE("a run ends where bodies go through each other, and says which, when a
   };
   // The gap of 0.01 m, then 0.015 m of the 0.0647 m that the spring would take: 0.251 ms; a step has 0.01 ms.
   CHECK_THROWS_WITH(
-      run(insisting("100"), folder.path / "fast", false),
+      run(insisting("100"), folder.path() / "fast", false),
       Catch::Matchers::Matches("t = 0\\.0002[56][0-9]* s: bodies 1 and 2 have gone into each other by more "
                                "than 1\\.5 radii, at 9[0-9]\\.?[0-9]* m/s: .*"));
-  CHECK_THROWS_WITH(run(insisting("1e4"), folder.path / "faster", false),
+  CHECK_THROWS_WITH(run(insisting("1e4"), folder.path() / "faster", false),
                     Catch::Contains(" body 1 moves by more than its radius in a step, at 1e+04 m/s"));
   Scene coarse = scene("1e6", "1000");
   coarse.options.step = 1e-3;
-  CHECK_THROWS_WITH(run(coarse, folder.path / "coarse", false),
+  CHECK_THROWS_WITH(run(coarse, folder.path() / "coarse", false),
                     Catch::Matchers::Matches("t = 0\\.011 s: body 1 moves by more than its radius in a step, at "
                                              "11 m/s: a smaller \"step\" is needed.*"));
 }
