@@ -213,11 +213,12 @@ TEST_CASE("a packing goes on from a frame of its trajectory, overlaps and all") 
   CHECK(with_file("").find(": empty; must be a trajectory") == 0);
 }
 
-TEST_CASE("spheres are poured over time and leave by an outlet, and the balance counts them") {
-  const TemporaryFolder folder;
-  REQUIRE(run(
-              read(hopper("60"), "0.12"), folder.path(), false, [] {}, Format::vtk) == 0);
-  std::istringstream lines(read_file(folder.path() / "energy.csv"));
+namespace {
+
+// The rows of energy.csv: t, kinetic, gravity, stored, lost_normal, lost_friction, total, contacts, strained, walls,
+// brought, spheres.
+std::vector<std::vector<double>> energies(const TemporaryFolder& folder) {
+  std::istringstream lines(read_file(folder / "energy.csv"));
   std::string line;
   std::getline(lines, line);
   std::vector<std::vector<double>> rows;
@@ -226,6 +227,62 @@ TEST_CASE("spheres are poured over time and leave by an outlet, and the balance 
     rows.emplace_back();
     for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(std::stod(field));
   }
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("a frame for ParaView holds radius, mass, velocity and spin as the scene has them") {
+  const TemporaryFolder folder;
+  const Scene scene = read(R"("spheres": [{"radius": 0.01, "material": "glass bead", "position": [0, 0, 0],
+    "velocity": [1, 2, 3], "spin": [4, 5, 6]}])");
+  REQUIRE(run(
+              scene, folder.path(), false, [] {}, Format::vtk) == 0);
+  const std::string frame = read_file(folder / "vtk/spheres.000000.vtk");
+  const auto behind = [&](const std::string& title) {
+    REQUIRE(frame.find(title) != std::string::npos);
+    return frame.substr(frame.find(title) + title.size());
+  };
+  const std::string scalar = " double 1\nLOOKUP_TABLE default\n";
+  CHECK(behind("SCALARS radius" + scalar).starts_with("0.01\n"));
+  // 4/3 pi r^3 rho
+  CHECK(std::stod(behind("SCALARS mass" + scalar)) == Approx(0.010471975511965976).epsilon(1e-12));
+  CHECK(behind("VECTORS velocity double\n").starts_with("1 2 3\n"));
+  CHECK(behind("VECTORS spin double\n").starts_with("4 5 6\n"));
+}
+
+TEST_CASE("what a moving wall does stands in its column, and the columns make the total") {
+  const TemporaryFolder folder;
+  const Scene scene = read(R"("spheres": [{"radius": 0.01, "material": "glass bead", "position": [0, 0, 0.011]}],
+    "walls": [{"point": [0, 0, 0], "inward": [0, 0, 1], "material": "steel", "velocity": [0, 0, 1]}])");
+  REQUIRE(run(scene, folder.path(), false) == 0);
+  const auto rows = energies(folder);
+  for (const auto& row : rows) {
+    CHECK(row[10] == 0);  // nobody came
+    const double sum = row[1] + row[2] + row[3] + row[8] + row[4] + row[5] - row[9];
+    CHECK(row[6] == Approx(sum).margin(1e-12));
+  }
+  // A heavy wall at V gives a sphere at rest (1 + e) m V, and does V times that work, the weight aside.
+  const double mass = scene.sphere(0).mass(), speed = std::sqrt(2 * rows.back()[1] / mass);
+  CHECK(rows.back()[9] == Approx(mass * (speed + 9.81 * 0.01)).epsilon(0.02));
+}
+
+TEST_CASE("a pour's first sphere comes as it begins") {
+  const TemporaryFolder folder;
+  const Scene scene = read(R"("pour": [{"number": 3, "rate": 10, "begin": 0.005, "material": "glass bead", "seed": 5,
+    "radius": 0.001, "region": {"low": [0, 0, 0], "high": [0.1, 0.1, 0.1]}}])");
+  REQUIRE(run(scene, folder.path(), false) == 0);
+  const auto rows = energies(folder);
+  for (const auto& row : rows)
+    if (row[0] < 0.005) CHECK(row[11] == 0);
+  CHECK(rows.back()[11] == 1);  // the next would come at 0.105 s
+}
+
+TEST_CASE("spheres are poured over time and leave by an outlet, and the balance counts them") {
+  const TemporaryFolder folder;
+  REQUIRE(run(
+              read(hopper("60"), "0.12"), folder.path(), false, [] {}, Format::vtk) == 0);
+  const auto rows = energies(folder);
   REQUIRE(rows.size() == 101);
   double most = 0;
   for (const auto& row : rows) {
