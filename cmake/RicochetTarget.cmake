@@ -13,6 +13,13 @@ function(ricochet_target target)
   endif()
 endfunction()
 
+# A static library that a shared one may take in: the Python module, an engine's plug-in. Hidden symbols cost such code
+# nothing, as none of them can be replaced from outside.
+function(ricochet_embeddable target)
+  set_target_properties(${target} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+endfunction()
+
 # Sources are found by folder: a file is one room, and opening a room should not need a second edit here.
 function(ricochet_sources variable)
   file(GLOB_RECURSE found CONFIGURE_DEPENDS ${ARGN})

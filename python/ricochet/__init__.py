@@ -1,0 +1,281 @@
+"""Contact laws for discrete-element simulation: calibrated, collided, fitted and stepped.
+
+Names and SI units are those of the C++ library. Where a number is asked for, an array does as well: NumPy's rules of
+broadcasting hold, and what went in as numbers alone comes back as numbers. Input outside its domain is a ValueError
+that names the value and what is accepted.
+
+    >>> import ricochet
+    >>> law = ricochet.calibrate("linear", tcol=1e-4, en=0.5)
+    >>> round(ricochet.collide(law, velocity=0.5, mass_eff=7.06858e-6).en, 9)
+    0.5
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._core import *  # the laws, as classes Linear(k, c) …, and what needs no shaping
+from ._core import Fit, ImpactBody, Interaction, Law, TangentialContact, Wall, __version__
+
+Number = Union[float, NDArray[np.float64]]
+
+
+def _broadcast(*values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple[int, ...]]:
+    """The values as flat arrays of doubles of one length, and the shape that they had in common."""
+    arrays = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in values))
+    return [np.ascontiguousarray(a).ravel() for a in arrays], arrays[0].shape
+
+
+def _shaped(flat: NDArray[Any], shape: Tuple[int, ...]) -> Any:
+    return flat.reshape(shape) if shape else flat.reshape(-1)[0].item()
+
+
+@dataclass(frozen=True)
+class FractionalContact:
+    """A binary collision under the fractional law without units; see `fractional_contact`."""
+
+    alpha: Number  #: conversion degree
+    z_star: Number  #: A tcol^(2-alpha), A = c^alpha k^(1-alpha)/m
+    tau: Number  #: tcol A^(1/(2-alpha))
+    en: Number  #: restitution
+    overlap_end: Number  #: [v0 tcol]
+    z_max_overlap: Number  #: A t^(2-alpha) at the greatest overlap
+    t_max_overlap: Number  #: [tcol]
+    max_overlap: Number  #: [v0 tcol]
+    t_max_force: Number  #: [tcol]
+    max_force: Number  #: [m v0/tcol]
+
+
+def fractional_contact(alpha: ArrayLike, end: str = "force") -> FractionalContact:
+    """The collision at conversion degree alpha, ended by "force" (-1 <= alpha < 1) or "overlap" (alpha < 0.40088…).
+
+    Relative error 1e-12 by force, 1e-12 + 1e-15/en^2 by overlap.
+    """
+    (flat,), shape = _broadcast(alpha)
+    return FractionalContact(**{k: _shaped(v, shape) for k, v in _core.fractional_contact(flat, end).items()})
+
+
+def conversion_degree(en: ArrayLike, end: str = "force") -> Number:
+    """The conversion degree alpha that keeps `en`, in (0, 1], of the velocity."""
+    (flat,), shape = _broadcast(en)
+    return _shaped(_core.conversion_degree(flat, end), shape)
+
+
+@dataclass(frozen=True)
+class Collision:
+    """What a collision did; see `collide`."""
+
+    status: Any  #: "ended_by_force", "ended_by_overlap", "permanent_contact", "no_separation", …
+    tcol: Number  #: [s]
+    en: Number  #: restitution
+    max_overlap: Number  #: [m]
+    time_max_overlap: Number  #: [s]
+    max_force: Number  #: [N]
+    time_max_force: Number  #: [s]
+    overlap_end: Number  #: [m]
+
+
+@dataclass(frozen=True)
+class ObliqueCollision:
+    """What an oblique impact did; see `collide_obliquely`."""
+
+    status: str
+    tcol: float  #: [s]
+    en: float
+    et: Optional[float]  #: of the centres' tangential velocity; None where there was none
+    beta: Optional[float]  #: of the contact point's slip, -1 … 1
+    impulse_ratio: float  #: tangential over normal impulse
+    velocity_i: NDArray[np.float64]  #: after [m/s]
+    velocity_j: NDArray[np.float64]
+    spin_i: NDArray[np.float64]  #: after [1/s]
+    spin_j: NDArray[np.float64]
+    impulse: NDArray[np.float64]  #: on i [N s]
+    stick_time: float  #: [s]
+    slip_time: float  #: [s]
+    lost: Mapping[str, float]  #: by mechanism [J]
+
+
+def collide(
+    law: Law, velocity: ArrayLike, mass_eff: ArrayLike, end: str = "force", method: str = "automatic"
+) -> Collision:
+    """The binary collision at these impact velocities [m/s] and effective masses [kg].
+
+    Ended by "force" or "overlap"; method "automatic", "closed_form" or "numerical". Relative error of tcol and en
+    1e-11 and better (<ricochet/collision/collision.hpp> has each law's). A collision that does not end is no error but
+    a status.
+    """
+    flat, shape = _broadcast(velocity, mass_eff)
+    columns = _core.collide(law, *flat, end, method)
+    status = np.array(columns.pop("status"), dtype=object)
+    return Collision(_shaped_words(status, shape), **{k: _shaped(v, shape) for k, v in columns.items()})
+
+
+def _shaped_words(words: NDArray[Any], shape: Tuple[int, ...]) -> Any:
+    return words.reshape(shape) if shape else words[0]
+
+
+def collide_obliquely(
+    law: Law,
+    tangential: TangentialContact,
+    i: ImpactBody,
+    j: Optional[ImpactBody] = None,
+    normal: ArrayLike = (0.0, 0.0, 1.0),
+    end: str = "force",
+    arm: str = "radius",
+) -> ObliqueCollision:
+    """One oblique impact of i on j (a wall, if nothing else is said), `normal` leading from i to j.
+
+    `arm` is "radius" or "contact_point" (the paper's, nearer by half the overlap or so). Relative error 1e-9.
+    """
+    other = ImpactBody.wall() if j is None else j
+    return ObliqueCollision(**_core.collide_obliquely(law, tangential, i, other, np.asarray(normal, float), end, arm))
+
+
+_calibrator = _DirectCalibrator()
+
+
+def calibrate(
+    law: str,
+    tcol: ArrayLike,
+    en: ArrayLike,
+    velocity: ArrayLike = 0.5,
+    mass_eff: ArrayLike = 7.06858e-6,
+    end: str = "force",
+    stiffness: Optional[ArrayLike] = None,
+    unreachable: str = "raise",
+) -> Any:
+    """The parameters by which the law of that name collides for `tcol` [s] and keeps `en` of the velocity.
+
+    For numbers a law, for arrays a dict of arrays, one a parameter. `stiffness` [kg/s^2]: the k that "fractional"
+    holds. A target that the law can't reach is a ValueError that says why and which, or, with unreachable="nan", not a
+    number. Relative error 1e-11 in every parameter that (tcol, en) determine.
+    """
+    if unreachable not in ("raise", "nan"):
+        raise ValueError(f"unreachable = {unreachable}: must be raise or nan")
+    held = np.nan if stiffness is None else stiffness
+    flat, shape = _broadcast(tcol, en, velocity, mass_eff, held)
+    columns = _calibrator(law, end, *flat, unreachable == "nan")
+    if shape:
+        return {name: column.reshape(shape) for name, column in columns.items()}
+    if any(np.isnan(column[0]) for column in columns.values()):
+        return None
+    return _core.law(law, **{name: float(column[0]) for name, column in columns.items()})
+
+
+def fit(
+    law: str,
+    velocity: ArrayLike,
+    en: ArrayLike,
+    en_sigma: Optional[ArrayLike] = None,
+    tcol: Optional[ArrayLike] = None,
+    tcol_sigma: Optional[ArrayLike] = None,
+    mass_eff: float = 7.06858e-6,
+    end: str = "force",
+) -> Fit:
+    """Fits the law of that name to measured rebounds by weighted least squares.
+
+    Impact velocities [m/s], restitutions, standard errors, and collision times [s] where they were measured.
+    """
+    empty = np.empty(0)
+    given = [velocity, en] + [c for c in (en_sigma, tcol, tcol_sigma) if c is not None]
+    flat, _ = _broadcast(*given)
+    columns = iter(flat[2:])
+    rest = [empty if c is None else next(columns) for c in (en_sigma, tcol, tcol_sigma)]
+    return _core.fit(law, end, mass_eff, flat[0], flat[1], *rest)
+
+
+class Cluster:
+    """Spheres and walls in motion; see <ricochet/motion/cluster.hpp> for the scheme and its order.
+
+    Arrays with one row a sphere: positions [m], radii [m], densities [kg/m^3], velocities [m/s], spins [1/s],
+    materials (numbers from 0). `interactions` is one Interaction for all, or a dict {(a, b): Interaction} by pair of
+    materials. `step` [s]; None takes a fortieth of the stiffest contact's time.
+    """
+
+    def __init__(
+        self,
+        positions: ArrayLike,
+        radii: ArrayLike,
+        densities: ArrayLike,
+        interactions: Union[Interaction, Mapping[Tuple[int, int], Interaction]],
+        *,
+        velocities: ArrayLike = 0.0,
+        spins: ArrayLike = 0.0,
+        materials: ArrayLike = 0,
+        walls: Sequence[Wall] = (),
+        gravity: ArrayLike = (0.0, 0.0, 0.0),
+        period: ArrayLike = (0.0, 0.0, 0.0),
+        step: Optional[float] = None,
+        threads: int = 1,
+        solver_tolerance: float = 1e-10,
+    ) -> None:
+        x = np.ascontiguousarray(positions, dtype=np.float64)
+        if x.ndim != 2 or x.shape[1] != 3:
+            raise ValueError(f"positions of shape {x.shape}: must be (n, 3)")
+        n = x.shape[0]
+        bodies = [x, *(np.ascontiguousarray(np.broadcast_to(np.asarray(v, float), (n,))) for v in (radii, densities))]
+        bodies += [np.ascontiguousarray(np.broadcast_to(np.asarray(v, float), (n, 3))) for v in (velocities, spins)]
+        bodies.append(np.broadcast_to(np.asarray(materials, int), (n,)).tolist())
+        one = isinstance(interactions, Interaction)
+        pairs = list({(0, 0): interactions}.items() if one else interactions.items())
+        around = [pairs, list(walls), np.asarray(gravity, float)]
+        if step is None:
+            step = _core.stiffest_contact(*bodies, *around) / 40
+        self.step = step  #: [s]
+        self._engine = _core.Cluster(*bodies, *around, np.asarray(period, float), step, threads, solver_tolerance)
+
+    def advance(self, steps: int) -> None:
+        """Goes on by that many steps; RuntimeError where a number ceases to be finite."""
+        self._engine.advance(steps)
+
+    def __len__(self) -> int:
+        return len(self._engine)
+
+    @property
+    def time(self) -> float:
+        """[s]"""
+        return self._engine.time
+
+    @property
+    def positions(self) -> NDArray[np.float64]:
+        """(n, 3) [m]"""
+        return self._engine.positions
+
+    @property
+    def velocities(self) -> NDArray[np.float64]:
+        """(n, 3) [m/s]"""
+        return self._engine.velocities
+
+    @property
+    def spins(self) -> NDArray[np.float64]:
+        """(n, 3) [1/s]"""
+        return self._engine.spins
+
+    @property
+    def energy(self) -> Mapping[str, float]:
+        """By kind [J]; "total" is constant up to the scheme's error."""
+        return self._engine.energy
+
+    @property
+    def momentum(self) -> NDArray[np.float64]:
+        """[kg m/s]"""
+        return self._engine.momentum
+
+    @property
+    def angular_momentum(self) -> NDArray[np.float64]:
+        """About the origin [kg m^2/s]"""
+        return self._engine.angular_momentum
+
+    @property
+    def contacts(self) -> Mapping[str, NDArray[Any]]:
+        """Those there are: "pairs" (walls count from the number of spheres), "overlap" [m], "force" [N]."""
+        return self._engine.contacts
+
+    def take_finished(self) -> Sequence[Mapping[str, Any]]:
+        """Collisions that ended since the last call: i, j, begin, end, separation [s], how."""
+        return self._engine.take_finished()

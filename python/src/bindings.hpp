@@ -1,0 +1,64 @@
+#pragma once
+
+#include <ricochet/collision/collision.hpp>
+#include <ricochet/contact/tangential.hpp>
+#include <ricochet/contact/vec3.hpp>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The Python module `ricochet._core`: C++ names as they are, arrays flat. The package around it broadcasts and shapes.
+namespace ricochet::python {
+
+namespace py = pybind11;
+
+/// Doubles side by side; what is not is copied.
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+inline std::span<const double> view(const Array& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+/// One number for each of `count` cases, in an array of NumPy's.
+template <class F>
+Array filled(std::size_t count, const F& value) {
+  Array out(static_cast<py::ssize_t>(count));
+  double* to = out.mutable_data();
+  for (std::size_t i = 0; i < count; ++i) to[i] = value(i);
+  return out;
+}
+
+/// "force" or "overlap". Throws std::invalid_argument for another word.
+ContactEnd end_of(const std::string& word);
+
+/// The law that an object of one of the classes stands for, and back. Throws py::type_error for another object.
+AnyLaw law_of(const py::handle& object);
+py::object object_of(const AnyLaw& law);
+
+TangentialLaw tangential_law_of(const py::handle& object);
+
+std::string text_of(CollisionStatus status);
+
+/// Three numbers.
+Vec3 vec3_of(const Array& array);
+Array array_of(Vec3 v);
+/// One row a vector.
+std::vector<Vec3> rows_of(const Array& array);
+Array array_of(std::span<const Vec3> rows);
+
+void bind_fractional(py::module_& m);
+void bind_laws(py::module_& m);
+void bind_collision(py::module_& m);
+void bind_tangential(py::module_& m);
+void bind_calibration(py::module_& m);
+void bind_exports(py::module_& m);
+void bind_cluster(py::module_& m);
+
+}  // namespace ricochet::python

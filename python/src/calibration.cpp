@@ -1,0 +1,139 @@
+#include "bindings.hpp"
+
+#include <calibrate/direct_calibrator.hpp>
+#include <calibrate/fit.hpp>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace ricochet::python {
+namespace {
+
+using namespace calibration;
+
+LawKind kind_named(const std::string& name) {
+  if (const auto kind = LawKind::named(name)) return *kind;
+  throw std::invalid_argument("law = " + name + ": must be one of law_names");
+}
+
+/// Columns of equal length, one row a target; stiffness not a number: none.
+struct Targets {
+  std::span<const double> tcol, en, velocity, mass_eff, stiffness;
+
+  Request request(LawKind kind, ContactEnd end, std::size_t i) const {
+    Request r{kind, end, {tcol[i], en[i], {velocity[i], mass_eff[i]}}};
+    if (!std::isnan(stiffness[i])) r.stiffness = stiffness[i];
+    return r;
+  }
+};
+
+/// The law's parameters, one array each. What can't be reached is nan where `skip`, else thrown, naming the target.
+class Solved {
+ public:
+  Solved(LawKind kind, std::size_t count) : kind_(kind) {
+    for (std::size_t p = 0; p < kind.parameters().size(); ++p) {
+      columns_.push_back(Array(static_cast<py::ssize_t>(count)));
+      to_.push_back(columns_.back().mutable_data());
+    }
+  }
+  void put(std::size_t i, const DirectCalibrator::Answer& answer, bool skip) {
+    if (const auto* law = std::get_if<AnyLaw>(&answer))
+      std::visit(
+          [&](const auto& one) {
+            const auto values = one.values();
+            for (std::size_t p = 0; p < values.size(); ++p) to_[p][i] = values[p];
+          },
+          *law);
+    else if (skip)
+      for (double* column : to_) column[i] = std::numeric_limits<double>::quiet_NaN();
+    else
+      throw std::domain_error("target " + std::to_string(i) + ": " + std::get<Infeasible>(answer).reason);
+  }
+  py::dict columns() const {
+    py::dict out;
+    for (std::size_t p = 0; p < columns_.size(); ++p)
+      out[std::string(kind_.parameters()[p].name).c_str()] = columns_[p];
+    return out;
+  }
+
+ private:
+  LawKind kind_;
+  std::vector<Array> columns_;
+  std::vector<double*> to_;
+};
+
+py::dict calibrate_all(const DirectCalibrator& calibrator, const std::string& law, const std::string& end,
+                       const Array& tcol, const Array& en, const Array& velocity, const Array& mass_eff,
+                       const Array& stiffness, bool skip) {
+  const LawKind kind = kind_named(law);
+  const ContactEnd ends = end_of(end);
+  const Targets targets{view(tcol), view(en), view(velocity), view(mass_eff), view(stiffness)};
+  Solved solved(kind, targets.en.size());
+  {
+    const py::gil_scoped_release others_go_on;
+    for (std::size_t i = 0; i < targets.en.size(); ++i) solved.put(i, calibrator(targets.request(kind, ends, i)), skip);
+  }
+  return solved.columns();
+}
+
+/// A column that was not measured is empty.
+std::vector<Measurement> measurements(const Array& velocity, const Array& en, const Array& en_sigma, const Array& tcol,
+                                      const Array& tcol_sigma) {
+  const auto v = view(velocity), e = view(en), s = view(en_sigma), t = view(tcol), ts = view(tcol_sigma);
+  const auto at = [](std::span<const double> column, std::size_t i) { return column.empty() ? 0.0 : column[i]; };
+  std::vector<Measurement> rows;
+  rows.reserve(v.size());
+  for (std::size_t i = 0; i < v.size(); ++i)
+    rows.push_back({.velocity = v[i], .en = e[i], .en_sigma = at(s, i), .tcol = at(t, i), .tcol_sigma = at(ts, i)});
+  return rows;
+}
+
+void bind_fit(py::module_& m) {
+  py::class_<Estimate>(m, "Estimate", "A fitted parameter with its standard error.")
+      .def_readonly("name", &Estimate::name)
+      .def_readonly("value", &Estimate::value)
+      .def_readonly("error", &Estimate::error)
+      .def_readonly("unit", &Estimate::unit);
+  py::class_<Fit>(m, "Fit", "A weighted least-squares fit of one law to measured rebounds.")
+      .def_property_readonly("name", [](const Fit& fit) { return fit_name(fit.request); })
+      .def_property_readonly("parameters",
+                             [](const Fit& fit) {
+                               py::dict out;
+                               for (const Estimate& e : fit.parameters) out[e.name.c_str()] = e;
+                               return out;
+                             })
+      .def_property_readonly("correlations", [](const Fit& fit) { return py::cast(fit.correlations); })
+      .def_readonly("chi2", &Fit::chi2)
+      .def_readonly("observations", &Fit::observations)
+      .def_readonly("freedom", &Fit::freedom)
+      .def_readonly("errors_known", &Fit::errors_known)
+      .def_readonly("aic", &Fit::aic)
+      .def_readonly("probability", &Fit::probability)
+      .def_readonly("findings", &Fit::findings)
+      .def(
+          "predict_en",
+          [](const Fit& fit, const Array& velocity) {
+            const auto v = view(velocity);
+            return filled(v.size(), [&](std::size_t i) { return predict(fit, v[i]).en; });
+          },
+          py::arg("velocity"), "e_n that the fitted law has at these velocities [m/s].");
+  m.def("fit", [](const std::string& law, const std::string& end, double mass_eff, const Array& velocity,
+                  const Array& en, const Array& en_sigma, const Array& tcol, const Array& tcol_sigma) {
+    return fit_law({.law = kind_named(law), .end = end_of(end), .mass_eff = mass_eff},
+                   measurements(velocity, en, en_sigma, tcol, tcol_sigma));
+  });
+}
+
+}  // namespace
+
+void bind_calibration(py::module_& m) {
+  py::class_<DirectCalibrator>(m, "DirectCalibrator").def(py::init<>()).def("__call__", &calibrate_all);
+  py::register_exception<NotConverged>(m, "NotConverged", PyExc_RuntimeError);
+  bind_fit(m);
+}
+
+}  // namespace ricochet::python

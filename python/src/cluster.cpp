@@ -1,0 +1,179 @@
+#include "bindings.hpp"
+
+#include <ricochet/motion/cluster.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ricochet::python {
+namespace {
+
+void bind_walls(py::module_& m) {
+  const Array still = array_of(Vec3{});
+  py::class_<Wall>(m, "Wall", "What spheres meet besides each other, of infinite mass.")
+      .def_static(
+          "plane",
+          [](const Array& point, const Array& inward, std::size_t material, const Array& velocity) {
+            return Wall{.point = vec3_of(point),
+                        .inward = vec3_of(inward),
+                        .material = material,
+                        .motion = {.velocity = vec3_of(velocity)}};
+          },
+          py::arg("point"), py::arg("inward"), py::arg("material") = 0, py::arg("velocity") = still,
+          "A plane through `point` [m]; spheres are on the side of `inward`.")
+      .def_static(
+          "cylinder",
+          [](const Array& point, const Array& axis, double radius, std::size_t material, double spin) {
+            return Wall{.point = vec3_of(point),
+                        .inward = vec3_of(axis),
+                        .material = material,
+                        .form = surface::Cylinder{radius},
+                        .motion = {.spin = spin}};
+          },
+          py::arg("point"), py::arg("axis"), py::arg("radius"), py::arg("material") = 0, py::arg("spin") = 0.0,
+          "The inside of a cylinder without end, radius [m], that spins about its axis [1/s].");
+  m.def(
+      "box_walls",
+      [](const Array& low, const Array& high, std::size_t material) {
+        return box_walls(vec3_of(low), vec3_of(high), material);
+      },
+      py::arg("low"), py::arg("high"), py::arg("material") = 0, "The six walls of a box, spheres inside [m].");
+}
+
+void bind_interaction(py::module_& m) {
+  py::class_<Interaction>(m, "Interaction", "How two materials meet.")
+      .def(py::init([](const py::object& law, const TangentialContact& tangential, const std::string& end) {
+             return Interaction{.law = law_of(law),
+                                .friction = tangential.friction,
+                                .end = end_of(end),
+                                .tangential = tangential.law,
+                                .torsion = tangential.torsion,
+                                .rolling = tangential.rolling};
+           }),
+           py::arg("law"), py::arg("tangential") = TangentialContact{}, py::arg("end") = "force");
+}
+
+/// Rows of equal number, one a sphere.
+std::vector<Sphere> spheres(const Array& positions, const Array& radii, const Array& densities, const Array& velocities,
+                            const Array& spins, const std::vector<std::size_t>& materials) {
+  const auto x = rows_of(positions), v = rows_of(velocities), w = rows_of(spins);
+  const auto r = view(radii), rho = view(densities);
+  std::vector<Sphere> out;
+  out.reserve(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) out.push_back({r[i], rho[i], x[i], v[i], w[i], materials[i]});
+  return out;
+}
+
+using Pairs = std::vector<std::pair<std::pair<std::size_t, std::size_t>, Interaction>>;
+
+ClusterSetup setup(std::vector<Sphere> bodies, const Pairs& interactions, const std::vector<Wall>& walls,
+                   const Array& gravity, const Array& period) {
+  ClusterSetup out;
+  out.spheres = std::move(bodies);
+  out.walls = walls;
+  out.gravity = vec3_of(gravity);
+  for (const auto& [pair, interaction] : interactions)
+    out.interactions.insert({std::minmax(pair.first, pair.second), interaction});
+  out.periodic = {vec3_of(period)};
+  return out;
+}
+
+template <class F>
+Array rows(const Cluster& cluster, const F& of) {
+  std::vector<Vec3> all;
+  all.reserve(cluster.size());
+  for (std::size_t i = 0; i < cluster.size(); ++i) all.push_back(of(i));
+  return array_of(all);
+}
+
+py::dict energies(const Cluster& cluster) {
+  const ClusterEnergy e = cluster.energy();
+  py::dict out;
+  out["kinetic"] = e.kinetic;
+  out["gravity"] = e.gravity;
+  out["stored"] = e.stored;
+  out["strained"] = e.strained;
+  out["lost_normal"] = e.lost_normal;
+  out["lost_friction"] = e.lost_friction;
+  out["wall_work"] = e.wall_work;
+  out["total"] = e.total();
+  return out;
+}
+
+/// Pairs of bodies, walls counting from the number of spheres, overlap [m] and force [N].
+py::dict contacts(const Cluster& cluster) {
+  const auto all = cluster.contacts();
+  py::array_t<std::uint32_t> pairs({static_cast<py::ssize_t>(all.size()), py::ssize_t(2)});
+  std::uint32_t* to = pairs.mutable_data();
+  for (const ContactState& c : all) {
+    *to++ = c.record.i;
+    *to++ = c.record.j;
+  }
+  py::dict out;
+  out["pairs"] = pairs;
+  out["overlap"] = filled(all.size(), [&](std::size_t i) { return all[i].approach.overlap; });
+  out["force"] = filled(all.size(), [&](std::size_t i) { return all[i].force; });
+  return out;
+}
+
+py::list finished(Cluster& cluster) {
+  py::list out;
+  for (const Encounter& e : cluster.take_finished()) {
+    py::dict one;
+    one["i"] = e.i;
+    one["j"] = e.j;
+    one["begin"] = e.begin;
+    one["end"] = e.end;
+    one["separation"] = e.separation;
+    one["how"] = std::string(name(e.how));
+    out.append(one);
+  }
+  return out;
+}
+
+void advance(Cluster& cluster, std::uint64_t steps) {
+  const py::gil_scoped_release others_go_on;
+  if (!cluster.advance(steps)) throw std::runtime_error("a position or velocity is not finite: the step is too large");
+}
+
+}  // namespace
+
+void bind_cluster(py::module_& m) {
+  bind_walls(m);
+  bind_interaction(m);
+  py::class_<Cluster>(m, "Cluster")
+      .def(py::init([](const Array& positions, const Array& radii, const Array& densities, const Array& velocities,
+                       const Array& spins, const std::vector<std::size_t>& materials, const Pairs& interactions,
+                       const std::vector<Wall>& walls, const Array& gravity, const Array& period, double step,
+                       int threads, double solver_tolerance) {
+        return Cluster(setup(spheres(positions, radii, densities, velocities, spins, materials), interactions, walls,
+                             gravity, period),
+                       {.step = step, .solver_tolerance = solver_tolerance, .threads = threads});
+      }))
+      .def("advance", &advance, py::arg("steps"))
+      .def_property_readonly("time", &Cluster::time)
+      .def_property_readonly("steps", &Cluster::steps)
+      .def("__len__", &Cluster::size)
+      .def_property_readonly("positions",
+                             [](const Cluster& c) { return rows(c, [&](std::size_t i) { return c.position(i); }); })
+      .def_property_readonly("velocities",
+                             [](const Cluster& c) { return rows(c, [&](std::size_t i) { return c.velocity(i); }); })
+      .def_property_readonly("spins",
+                             [](const Cluster& c) { return rows(c, [&](std::size_t i) { return c.spin(i); }); })
+      .def_property_readonly("energy", &energies)
+      .def_property_readonly("momentum", [](const Cluster& c) { return array_of(c.momentum()); })
+      .def_property_readonly("angular_momentum", [](const Cluster& c) { return array_of(c.angular_momentum()); })
+      .def_property_readonly("contacts", &contacts)
+      .def("take_finished", &finished);
+  m.def("stiffest_contact", [](const Array& positions, const Array& radii, const Array& densities,
+                               const Array& velocities, const Array& spins, const std::vector<std::size_t>& materials,
+                               const Pairs& interactions, const std::vector<Wall>& walls, const Array& gravity) {
+    return stiffest_contact(setup(spheres(positions, radii, densities, velocities, spins, materials), interactions,
+                                  walls, gravity, array_of(Vec3{})))
+        .tcol;
+  });
+}
+
+}  // namespace ricochet::python

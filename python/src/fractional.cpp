@@ -1,0 +1,85 @@
+#include "bindings.hpp"
+
+#include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/fractional/memory_kernel.hpp>
+#include <ricochet/fractional/mittag_leffler.hpp>
+
+#include <pybind11/stl.h>
+
+#include <vector>
+
+namespace ricochet::python {
+namespace {
+
+py::dict contacts(const Array& alphas, const std::string& word) {
+  const ContactEnd end = end_of(word);
+  std::vector<FractionalContact> found;
+  found.reserve(static_cast<std::size_t>(alphas.size()));
+  for (const double alpha : view(alphas)) found.push_back(fractional_contact(alpha, end));
+  py::dict columns;
+  const auto column = [&](const char* name, double FractionalContact::*of) {
+    columns[name] = filled(found.size(), [&](std::size_t i) { return found[i].*of; });
+  };
+  column("alpha", &FractionalContact::alpha);
+  column("z_star", &FractionalContact::z_star);
+  column("tau", &FractionalContact::tau);
+  column("en", &FractionalContact::en);
+  column("overlap_end", &FractionalContact::overlap_end);
+  column("z_max_overlap", &FractionalContact::z_max_overlap);
+  column("t_max_overlap", &FractionalContact::t_max_overlap);
+  column("max_overlap", &FractionalContact::max_overlap);
+  column("t_max_force", &FractionalContact::t_max_force);
+  column("max_force", &FractionalContact::max_force);
+  return columns;
+}
+
+void bind_kernel(py::module_& m) {
+  const auto column = [](double Arm::*of) {
+    return
+        [of](const MemoryKernel& k) { return filled(k.arms().size(), [&](std::size_t i) { return k.arms()[i].*of; }); };
+  };
+  py::class_<MemoryKernel>(m, "MemoryKernel",
+                           "The kernel t^(-alpha)/Gamma(1-alpha) of the Caputo derivative as a spring, Maxwell arms "
+                           "strength*exp(-rate*t) and a dashpot, every coefficient positive.")
+      .def_property_readonly("alpha", &MemoryKernel::alpha)
+      .def_property_readonly("shortest", &MemoryKernel::shortest, "[s]")
+      .def_property_readonly("longest", &MemoryKernel::longest, "[s]")
+      .def_property_readonly("spring", &MemoryKernel::spring, "[s^(-alpha)]")
+      .def_property_readonly("dashpot", &MemoryKernel::dashpot, "[s^(1-alpha)]")
+      .def_property_readonly("error", &MemoryKernel::error, "largest relative error on [shortest, longest]")
+      .def_property_readonly("strengths", column(&Arm::strength), "of the arms [s^(-alpha)]")
+      .def_property_readonly("rates", column(&Arm::rate), "of the arms [1/s]")
+      .def("__call__", py::vectorize(&MemoryKernel::operator()), py::arg("t"), "Spring and arms at t >= 0 [s].");
+  m.def(
+      "memory_kernel",
+      [](double alpha, double shortest, double longest, double tolerance) {
+        return memory_kernel(alpha, shortest, longest, tolerance);
+      },
+      py::arg("alpha"), py::arg("shortest"), py::arg("longest"), py::arg("tolerance") = 1e-8,
+      "The kernel with the fewest arms that keeps the relative error `tolerance` (1e-12 to 0.1) between the times "
+      "`shortest` and `longest` [s], at most 1e6 times longer, for 0 <= alpha <= 1.");
+}
+
+}  // namespace
+
+void bind_fractional(py::module_& m) {
+  m.def("mittag_leffler", py::vectorize(&mittag_leffler), py::arg("a"), py::arg("b"), py::arg("x"),
+        "E_{a,b}(x) = sum x^k/Gamma(a k + b), elementwise, for 0 < a <= 3, 0 < b <= 120, -1e6 <= x <= 5; relative "
+        "error 1e-13 and 20 roundings of x.");
+  py::class_<MittagLeffler>(m, "MittagLeffler", "E_{a,b} prepared for many x at one (a, b).")
+      .def(py::init<double, double>(), py::arg("a"), py::arg("b"))
+      .def_property_readonly("a", &MittagLeffler::a)
+      .def_property_readonly("b", &MittagLeffler::b)
+      .def("__call__", py::vectorize(&MittagLeffler::operator()), py::arg("x"));
+  m.def("fractional_contact", &contacts);
+  m.def("conversion_degree", [](const Array& en, const std::string& word) {
+    const ContactEnd end = end_of(word);
+    const auto all = view(en);
+    return filled(all.size(), [&](std::size_t i) { return conversion_degree(all[i], end); });
+  });
+  m.def("tcol_estimate", py::vectorize(&tcol_estimate), py::arg("coefficient"), py::arg("alpha"),
+        "Estimate (57) of the collision time [s], of A = c^alpha k^(1-alpha)/m [s^(alpha-2)].");
+  bind_kernel(m);
+}
+
+}  // namespace ricochet::python

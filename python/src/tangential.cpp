@@ -1,0 +1,135 @@
+#include "bindings.hpp"
+
+#include <ricochet/collision/oblique.hpp>
+#include <ricochet/contact/tangential.hpp>
+
+#include <limits>
+#include <stdexcept>
+
+namespace ricochet::python {
+namespace {
+
+void bind_parts(py::module_& m) {
+  py::class_<Spring>(m, "Spring", "A spring and a dashpot side by side.")
+      .def(py::init([](double stiffness, double damping) {
+             return Spring{stiffness, damping};
+           }),
+           py::arg("stiffness") = 0.0, py::arg("damping") = 0.0)
+      .def_readonly("stiffness", &Spring::stiffness, "[N/m, or N m]")
+      .def_readonly("damping", &Spring::damping, "[N s/m, or N m s]");
+  py::class_<Friction>(m, "Friction",
+                       "mu(u) = mu_dynamic + (mu_static - mu_dynamic) exp(-decay u), Eq. (35); rolling_arm in contact "
+                       "radii (46).")
+      .def(py::init([](double mu_static, const py::object& mu_dynamic, double decay, double rolling_arm) {
+             return Friction(mu_static, mu_dynamic.is_none() ? mu_static : mu_dynamic.cast<double>(), decay,
+                             rolling_arm);
+           }),
+           py::arg("mu_static") = 0.0, py::arg("mu_dynamic") = py::none(), py::arg("decay") = 0.0,
+           py::arg("rolling_arm") = 0.0)
+      .def_property_readonly("mu_static", &Friction::mu_static)
+      .def_property_readonly("mu_dynamic", &Friction::mu_dynamic)
+      .def_property_readonly("decay", &Friction::decay, "[s/m]")
+      .def_property_readonly("rolling_arm", &Friction::rolling_arm);
+  py::class_<RigidTangential>(m, "RigidTangential", "The paper's friction: sticks, or slides at the limit.")
+      .def(py::init<>());
+  py::class_<LinearTangential>(m, "LinearTangential", "Spring and dashpot of constant k_t [N/m], c_t [N s/m].")
+      .def(py::init<double, double>(), py::arg("k_t"), py::arg("c_t") = 0.0)
+      .def_property_readonly("k_t", &LinearTangential::k_t)
+      .def_property_readonly("c_t", &LinearTangential::c_t);
+  py::class_<MindlinTangential>(m, "MindlinTangential", "k_t sqrt(overlap), k_t = 8 G* sqrt(R*) [kg/(s^2 m^(1/2))].")
+      .def(py::init<double, double>(), py::arg("k_t"), py::arg("c_t") = 0.0)
+      .def_static("of", &MindlinTangential::of, py::arg("shear_modulus_eff"), py::arg("radius_eff"))
+      .def_property_readonly("k_t", &MindlinTangential::k_t)
+      .def_property_readonly("c_t", &MindlinTangential::c_t);
+}
+
+Torsion torsion_of(const std::string& limit, const Spring& spring, double arm) {
+  if (limit == "none") return {};
+  if (limit == "separate") return {Torsion::Limit::separate, spring, arm};
+  if (limit == "disc") return {Torsion::Limit::disc, spring, arm};
+  throw std::invalid_argument("torsion_limit = " + limit + ": must be none, separate or disc");
+}
+
+void bind_contact(py::module_& m) {
+  py::class_<TangentialContact>(m, "TangentialContact", "All that acts in the tangent plane of two materials.")
+      .def(py::init([](const py::object& law, const Friction& friction, const std::string& torsion_limit,
+                       const Spring& torsion_spring, double torsion_arm, double mu_rolling,
+                       const Spring& rolling_spring) {
+             TangentialContact contact{.law = tangential_law_of(law),
+                                       .friction = friction,
+                                       .torsion = torsion_of(torsion_limit, torsion_spring, torsion_arm),
+                                       .rolling = {mu_rolling, rolling_spring}};
+             check(contact);
+             return contact;
+           }),
+           py::arg("law") = RigidTangential{}, py::arg("friction") = Friction(), py::kw_only(),
+           py::arg("torsion_limit") = "none", py::arg("torsion_spring") = Spring{},
+           py::arg("torsion_arm") = Torsion{}.arm, py::arg("mu_rolling") = 0.0, py::arg("rolling_spring") = Spring{});
+}
+
+void bind_oblique(py::module_& m) {
+  py::class_<ImpactBody>(m, "ImpactBody", "A sphere, or a wall, at the first touch.")
+      .def(py::init([](double mass, double radius, const Array& velocity, const Array& spin, double inertia_ratio) {
+             return ImpactBody{mass, radius, vec3_of(velocity), vec3_of(spin), inertia_ratio};
+           }),
+           py::arg("mass"), py::arg("radius"), py::arg("velocity") = array_of(Vec3{}),
+           py::arg("spin") = array_of(Vec3{}), py::arg("inertia_ratio") = 0.4)
+      .def_static(
+          "wall", [](const Array& velocity) { return ImpactBody::wall(vec3_of(velocity)); },
+          py::arg("velocity") = array_of(Vec3{}));
+}
+
+py::dict losses(const ObliqueLosses& lost) {
+  py::dict out;
+  out["normal"] = lost.normal;
+  out["dashpot"] = lost.dashpot;
+  out["sliding"] = lost.sliding;
+  out["torsion"] = lost.torsion;
+  out["rolling"] = lost.rolling;
+  out["stored"] = lost.stored;
+  return out;
+}
+
+py::dict collide_obliquely(const py::object& law, const TangentialContact& tangential, const ImpactBody& i,
+                           const ImpactBody& j, const Array& normal, const std::string& end, const std::string& arm) {
+  if (arm != "radius" && arm != "contact_point")
+    throw std::invalid_argument("arm = " + arm + ": must be radius or contact_point");
+  const ObliqueOptions options{.end = end_of(end),
+                               .arm = arm == "radius" ? ContactArm::radius : ContactArm::contact_point};
+  const ObliqueCollision c = collide(law_of(law), tangential, ObliqueImpact{vec3_of(normal), i, j}, options);
+  py::dict out;
+  out["status"] = text_of(c.status);
+  out["tcol"] = c.normal.tcol;
+  out["en"] = c.normal.en;
+  out["et"] = c.et;
+  out["beta"] = c.beta;
+  out["impulse_ratio"] = c.impulse_ratio;
+  out["velocity_i"] = array_of(c.velocity_i);
+  out["velocity_j"] = array_of(c.velocity_j);
+  out["spin_i"] = array_of(c.spin_i);
+  out["spin_j"] = array_of(c.spin_j);
+  out["impulse"] = array_of(c.impulse);
+  out["stick_time"] = c.stick_time;
+  out["slip_time"] = c.slip_time;
+  out["lost"] = losses(c.lost);
+  return out;
+}
+
+}  // namespace
+
+TangentialLaw tangential_law_of(const py::handle& object) {
+  if (py::isinstance<RigidTangential>(object)) return object.cast<RigidTangential>();
+  if (py::isinstance<LinearTangential>(object)) return object.cast<LinearTangential>();
+  if (py::isinstance<MindlinTangential>(object)) return object.cast<MindlinTangential>();
+  throw py::type_error("law = " + py::repr(object).cast<std::string>() +
+                       ": must be RigidTangential, LinearTangential or MindlinTangential");
+}
+
+void bind_tangential(py::module_& m) {
+  bind_parts(m);
+  bind_contact(m);
+  bind_oblique(m);
+  m.def("collide_obliquely", &collide_obliquely);
+}
+
+}  // namespace ricochet::python

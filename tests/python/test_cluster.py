@@ -1,0 +1,76 @@
+"""Many bodies from arrays."""
+
+import numpy as np
+import pytest
+
+import ricochet
+
+
+def pair(law, **options):
+    return ricochet.Cluster(
+        [[-1.6e-3, 0, 0], [1.6e-3, 0, 0]],
+        1.5e-3,
+        1000.0,
+        ricochet.Interaction(law),
+        velocities=[[0.25, 0, 0], [-0.25, 0, 0]],
+        **options,
+    )
+
+
+def test_two_spheres_rebound_as_in_a_binary_collision():
+    mass = 4 / 3 * np.pi * 1.5e-3**3 * 1000 / 2
+    law = ricochet.calibrate("fractional", 1e-4, 0.6, mass_eff=mass)
+    cluster = pair(law, step=5e-7)
+    assert len(cluster) == 2
+    cluster.advance(2500)
+    assert cluster.time == pytest.approx(2500 * 5e-7)
+    assert cluster.velocities[1, 0] / 0.25 == pytest.approx(0.6, abs=2e-4)  # second order: (step/tcol)^2 and more
+    assert np.abs(cluster.momentum).max() < 1e-18
+    (one,) = cluster.take_finished()
+    assert (one["i"], one["j"]) == (0, 1) and one["end"] - one["begin"] == pytest.approx(1e-4, rel=1e-3)
+    assert cluster.take_finished() == []
+
+
+def test_energy_closes_and_contacts_are_shown():
+    cluster = pair(ricochet.Linear(5000.0, 0.01))
+    before = cluster.energy["total"]
+    cluster.advance(int(6e-4 / cluster.step))
+    while len(cluster.contacts["force"]) == 0:
+        cluster.advance(1)
+    contact = cluster.contacts
+    assert contact["pairs"].tolist() == [[0, 1]]
+    x = cluster.positions
+    # Half a step lies between the two.
+    assert contact["overlap"][0] == pytest.approx(3e-3 - (x[1, 0] - x[0, 0]), abs=0.5 * cluster.step)
+    cluster.advance(400)
+    assert cluster.energy["total"] == pytest.approx(before, rel=1e-3)
+    assert cluster.energy["lost_normal"] > 0
+
+
+def test_a_sphere_in_a_box_stays_there_and_threads_change_no_bit():
+    law = ricochet.Linear(2000.0, 0.02)
+    contact = ricochet.TangentialContact(ricochet.LinearTangential(500.0, 0.01), ricochet.Friction(0.4))
+    grid = np.stack(np.meshgrid(*[np.arange(4) * 2.2e-3] * 3), axis=-1).reshape(-1, 3)
+    ends = []
+    for threads in (1, 2):
+        cluster = ricochet.Cluster(
+            grid,
+            1e-3,
+            2500.0,
+            ricochet.Interaction(law, contact),
+            velocities=np.random.default_rng(1).normal(0, 0.1, grid.shape),
+            walls=ricochet.box_walls([-2e-3] * 3, [9e-3] * 3),
+            gravity=(0, 0, -9.81),
+            threads=threads,
+        )
+        cluster.advance(2000)
+        ends.append(cluster.positions)
+    assert (ends[0] == ends[1]).all()
+    assert (ends[0] > -2e-3).all() and (ends[0] < 9e-3).all()
+
+
+def test_wrong_setups_are_named():
+    with pytest.raises(ValueError, match=r"positions of shape \(3,\): must be \(n, 3\)"):
+        ricochet.Cluster([0, 0, 0], 1e-3, 1000, ricochet.Interaction(ricochet.Linear(1, 0)))
+    with pytest.raises(ValueError, match="radius"):
+        ricochet.Cluster([[0, 0, 0]], -1e-3, 1000, ricochet.Interaction(ricochet.Linear(1, 0)), step=1e-6)

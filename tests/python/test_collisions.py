@@ -1,0 +1,115 @@
+"""Laws, collisions, calibration and fits."""
+
+import copy
+import math
+import pickle
+
+import numpy as np
+import pytest
+
+import ricochet
+
+MASS = 7.06858e-6
+
+
+def test_every_law_is_a_class_with_its_parameters():
+    laws = ricochet.Law.__args__
+    assert [law.name for law in laws] == list(ricochet.law_names)
+    law = ricochet.Fractional(1e4, c=2.0, alpha=0.25)
+    assert law == ricochet.law("fractional", k=1e4, c=2.0, alpha=0.25)
+    assert law.parameters == {"k": 1e4, "c": 2.0, "alpha": 0.25}
+    assert law.units["k"] == "kg/s^2" and law.alpha == 0.25
+    assert eval(repr(law), vars(ricochet)) == law
+    assert pickle.loads(pickle.dumps(law)) == law and copy.copy(law) == law and hash(copy.copy(law)) == hash(law)
+    assert law != ricochet.Linear(1e4, 2.0)
+
+
+def test_wrong_parameters_are_named():
+    with pytest.raises(ValueError, match="k = -1: must be finite and > 0"):
+        ricochet.Linear(-1, 0)
+    with pytest.raises(ValueError, match="no c: Contact law linear"):
+        ricochet.Linear(1, d=3)
+    with pytest.raises(ValueError, match="3 parameters"):
+        ricochet.Linear(1, 2, 3)
+    with pytest.raises(ValueError, match="law = elastic: must be one of law_names"):
+        ricochet.law("elastic", k=1)
+    with pytest.raises(TypeError, match="law = 3: must be a contact law"):
+        ricochet.collide(3, 0.5, MASS)
+
+
+def test_a_linear_collision_by_its_closed_form():
+    k, c = 7000.0, 0.05
+    undamped = math.sqrt(k / MASS)
+    ratio = c / (2 * math.sqrt(k * MASS))
+    found = ricochet.collide(ricochet.Linear(k, c), [0.1, 1.0], MASS, end="overlap")
+    damped = undamped * math.sqrt(1 - ratio**2)
+    np.testing.assert_allclose(found.tcol, math.pi / damped, rtol=1e-11)
+    np.testing.assert_allclose(found.en, math.exp(-math.pi * ratio * undamped / damped), rtol=1e-11)
+    assert list(found.status) == ["ended_by_overlap", "ended_by_overlap"]
+    np.testing.assert_allclose(found.max_overlap[1], 10 * found.max_overlap[0], rtol=1e-12)
+    one = ricochet.collide(ricochet.Linear(k, c), 0.1, MASS)
+    assert one.status == "ended_by_force" and isinstance(one.en, float)
+
+
+def test_calibrated_laws_do_what_was_asked():
+    tcol, en = np.meshgrid([1e-4, 2e-5], [0.3, 0.6, 0.95])
+    for name in ("linear", "kuwabara-kono", "tsuji", "hysteretic", "fractional"):
+        found = ricochet.calibrate(name, tcol, en)
+        for at in np.ndindex(tcol.shape):
+            law = ricochet.law(name, **{p: column[at] for p, column in found.items()})
+            # The numerical path knows nothing of the tables that the parameters are from.
+            achieved = ricochet.collide(law, 0.5, MASS, method="numerical")
+            assert achieved.tcol == pytest.approx(tcol[at], rel=1e-9)
+            assert achieved.en == pytest.approx(en[at], rel=1e-9)
+        assert ricochet.calibrate(name, 1e-4, 0.3) == ricochet.law(name, **{p: v[0, 0] for p, v in found.items()})
+
+
+def test_a_stiffness_is_held():
+    assert ricochet.calibrate("fractional", 1e-4, 0.5, stiffness=1234.0).k == pytest.approx(1234.0, rel=1e-15)
+
+
+def test_what_cannot_be_reached_says_which_and_why():
+    with pytest.raises(ValueError, match="target 1: "):
+        ricochet.calibrate("linear", 1e-4, [0.5, 1e-300], end="overlap")
+    found = ricochet.calibrate("linear", 1e-4, [0.5, 1e-300], end="overlap", unreachable="nan")
+    assert np.isfinite(found["k"][0]) and np.isnan(found["k"][1])
+    assert ricochet.calibrate("linear", 1e-4, 1e-300, end="overlap", unreachable="nan") is None
+    with pytest.raises(ValueError, match="en = 2"):
+        ricochet.calibrate("linear", 1e-4, 2.0)
+    with pytest.raises(ValueError, match="unreachable = skip"):
+        ricochet.calibrate("linear", 1e-4, 0.5, unreachable="skip")
+
+
+def test_gross_sliding_by_coulombs_law():
+    mu, radius, mass = 0.1, 2.5e-3, 2.6e-4
+    law = ricochet.calibrate("fractional", 1e-5, 0.8, velocity=1.0, mass_eff=mass)
+    ball = ricochet.ImpactBody(mass, radius, velocity=(3.0, 0.0, 1.0))
+    contact = ricochet.TangentialContact(friction=ricochet.Friction(mu))
+    out = ricochet.collide_obliquely(law, contact, ball)
+    change = mu * (1 + 0.8)
+    assert out.velocity_i[0] == pytest.approx(3 - change, rel=1e-9)
+    assert abs(out.spin_i[1]) * radius == pytest.approx(2.5 * change, rel=1e-9)
+    assert out.impulse_ratio == pytest.approx(mu, rel=1e-9) and out.en == pytest.approx(0.8, rel=1e-9)
+    assert sum(out.lost.values()) == pytest.approx(
+        0.5 * mass * (10 - out.velocity_i @ out.velocity_i) - 0.2 * mass * radius**2 * out.spin_i @ out.spin_i, rel=1e-8
+    )
+
+
+def test_a_tangential_spring_reverses_the_slip():
+    law = ricochet.Linear(1.72e7, 0.0)
+    ball = ricochet.ImpactBody(2.6e-4, 2.5e-3, velocity=(0.05, 0.0, 1.0))
+    spring = ricochet.TangentialContact(ricochet.LinearTangential(1.48e7 * 2 / 7), ricochet.Friction(0.5))
+    assert ricochet.collide_obliquely(law, spring, ball).beta > 0.5
+    with pytest.raises(ValueError, match="arm = point"):
+        ricochet.collide_obliquely(law, spring, ball, arm="point")
+
+
+def test_a_fit_finds_the_law_that_made_the_data():
+    velocity = np.geomspace(0.05, 2, 20)
+    law = ricochet.calibrate("kuwabara-kono", 1e-4, 0.7)
+    en = ricochet.collide(law, velocity, MASS).en
+    fit = ricochet.fit("kuwabara-kono", velocity, en, en_sigma=0.01)
+    assert fit.chi2 < 1e-8 and fit.observations == 20 and fit.errors_known
+    np.testing.assert_allclose(fit.predict_en(velocity), en, rtol=1e-6)
+    assert all(p.error > 0 for p in fit.parameters.values())
+    assert fit.aic < ricochet.fit("linear", velocity, en, en_sigma=0.01).aic

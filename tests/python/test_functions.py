@@ -1,0 +1,69 @@
+"""Mittag-Leffler, the fractional collision and memory kernels, against values from elsewhere."""
+
+import csv
+import math
+import pathlib
+
+import numpy as np
+import pytest
+
+import ricochet
+
+DATA = pathlib.Path(__file__).resolve().parents[2] / "data"
+
+
+def table(name):
+    with open(DATA / name, newline="") as file:
+        rows = csv.DictReader(line for line in file if not line.startswith("#"))
+        return list(rows)
+
+
+def test_mittag_leffler_gives_the_reference_values():
+    rows = table("mittag_leffler_reference.csv")
+    a, b, x, wanted = (np.array([float(row[c]) for row in rows]) for c in list(rows[0])[:4])
+    inside = (x <= 5) & (b <= 100)
+    found = ricochet.mittag_leffler(a[inside], b[inside], x[inside])
+    np.testing.assert_allclose(found, wanted[inside], rtol=1e-11)
+
+
+def test_mittag_leffler_broadcasts_and_keeps_numbers_numbers():
+    x = np.linspace(-3, 1, 5)
+    both = ricochet.mittag_leffler([[1.0], [2.0]], 1.0, x)
+    assert both.shape == (2, 5)
+    np.testing.assert_allclose(both[0], np.exp(x), rtol=1e-13)
+    np.testing.assert_allclose(both[1, x <= 0], np.cos(np.sqrt(-x[x <= 0])), rtol=1e-13)
+    assert isinstance(ricochet.mittag_leffler(1, 1, 0.5), float)
+
+
+def test_a_prepared_function_agrees_with_the_plain_one():
+    x = np.linspace(-10, 2, 101)
+    prepared = ricochet.MittagLeffler(1.5, 2.0)
+    assert (prepared.a, prepared.b) == (1.5, 2.0)
+    np.testing.assert_allclose(prepared(x), ricochet.mittag_leffler(1.5, 2.0, x), rtol=1e-11, atol=1e-13)
+
+
+def test_a_number_outside_the_domain_is_named():
+    with pytest.raises(ValueError, match="= 4"):
+        ricochet.mittag_leffler(4, 1, 0)
+
+
+def test_the_fractional_collision_and_its_inverse():
+    alpha = np.array([0.05, 0.25, 0.5, 0.9])
+    contact = ricochet.fractional_contact(alpha)
+    np.testing.assert_allclose(ricochet.conversion_degree(contact.en), alpha, rtol=1e-11)
+    # The force E_{2-a,2-a}(-z) vanishes at z_star, where the rate is -en.
+    for i, a in enumerate(alpha):
+        assert abs(ricochet.mittag_leffler(2 - a, 2 - a, -contact.z_star[i])) < 1e-12
+        assert -ricochet.mittag_leffler(2 - a, 1, -contact.z_star[i]) == pytest.approx(contact.en[i], rel=1e-11)
+    assert ricochet.fractional_contact(0.25, "overlap").en < ricochet.fractional_contact(0.25).en
+    with pytest.raises(ValueError, match="end = middle: must be force or overlap"):
+        ricochet.fractional_contact(0.25, "middle")
+
+
+def test_a_memory_kernel_is_a_power_of_time():
+    kernel = ricochet.memory_kernel(0.4, 1e-3, 1.0, 1e-9)
+    t = np.geomspace(1e-3, 1, 200)
+    np.testing.assert_allclose(kernel(t), t**-0.4 / math.gamma(0.6), rtol=1.01 * kernel.error)
+    by_hand = kernel.spring + (kernel.strengths * np.exp(-np.multiply.outer(t, kernel.rates))).sum(axis=1)
+    np.testing.assert_allclose(kernel(t), by_hand, rtol=1e-13)
+    assert kernel.error <= 1e-9 and (kernel.strengths > 0).all()
