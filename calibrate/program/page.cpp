@@ -40,6 +40,12 @@ struct Curves {
       moments.push_back({points[i].time, points[i].overlap, points[i].rate, points[i].force});
     return moments;
   }
+  template <RemembersAll Law>
+  std::vector<console::Moment> operator()(const Law& law) const {
+    using Arms = typename Law::Arms;
+    const double step = tcol / 2000;
+    return (*this)(Arms(law, affordable_kernel(law.alpha(), {step, 1.05 * tcol, 1e-6}, Arms::max_kernel_arms), step));
+  }
   std::vector<console::Moment> operator()(const Fractional& law) const {
     constexpr int samples = 200;
     const FractionalTrajectory motion(law.coefficient(), law.alpha(), target.impact.mass_eff, target.impact.velocity);

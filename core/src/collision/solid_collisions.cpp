@@ -26,11 +26,15 @@ Collision by_transform(const ViscoelasticModulus& modulus, const Impact& impact,
   return collision::in_units(collision::closed_form(ViscoelasticMotion(scaled), end), impact, unit);
 }
 
-/// Half steps of the arms, extrapolated: what the generic `collide` does with the law on a kernel.
+/// Half steps of the arms, extrapolated: what the generic `collide` does with the law on a kernel. That of 1e-9 from a
+/// 400th of the collision on leaves 1e-8, and is made in a tenth of the time of the best.
 Collision by_arms(const FractionalZener& law, const Impact& impact, const CollideOptions& options) {
   const Collision known = collide(law, impact, {});
   if (!known.separated()) return known;
-  return collide<FractionalZenerArms>(arms_of_collision(law, known.tcol), impact,
+  const double step = known.tcol / 400;
+  const auto kernel =
+      affordable_kernel(law.alpha(), {step, 1.05 * known.tcol, 1e-9}, FractionalZenerArms::max_kernel_arms);
+  return collide<FractionalZenerArms>(FractionalZenerArms(law, kernel, step), impact,
                                       {.end = options.end, .max_evaluations = options.max_evaluations});
 }
 
