@@ -136,7 +136,7 @@ def collide_obliquely(
     return ObliqueCollision(**_core.collide_obliquely(law, tangential, i, other, np.asarray(normal, float), end, arm))
 
 
-_calibrator = _DirectCalibrator()
+_calibrator = _core.DirectCalibrator()
 
 
 def calibrate(
@@ -147,19 +147,23 @@ def calibrate(
     mass_eff: ArrayLike = 7.06858e-6,
     end: str = "force",
     stiffness: Optional[ArrayLike] = None,
+    alpha: float = 0.5,
+    stiffening: float = 100.0,
     unreachable: str = "raise",
 ) -> Any:
     """The parameters by which the law of that name collides for `tcol` [s] and keeps `en` of the velocity.
 
-    For numbers a law, for arrays a dict of arrays, one a parameter. `stiffness` [kg/s^2]: the k that "fractional"
-    holds. A target that the law can't reach is a ValueError that says why and which, or, with unreachable="nan", not a
+    For numbers a law, for arrays a dict of arrays, one a parameter. What (tcol, en) leave open is held: `stiffness`
+    [kg/s^2], the k of "fractional" and, where it is given, of "fractional-kelvin-voigt"; `alpha` of the laws of real
+    solids ("fractional-kelvin-voigt", "fractional-hertz", "fractional-zener") and `stiffening`, k1/k of the last.
+    A target that the law can't reach is a ValueError that says why and which, or, with unreachable="nan", not a
     number. Relative error 1e-11 in every parameter that (tcol, en) determine.
     """
     if unreachable not in ("raise", "nan"):
         raise ValueError(f"unreachable = {unreachable}: must be raise or nan")
     held = np.nan if stiffness is None else stiffness
     flat, shape = _broadcast(tcol, en, velocity, mass_eff, held)
-    columns = _calibrator(law, end, *flat, unreachable == "nan")
+    columns = _calibrator(law, end, *flat, alpha, stiffening, unreachable == "nan")
     if shape:
         return {name: column.reshape(shape) for name, column in columns.items()}
     if any(np.isnan(column[0]) for column in columns.values()):

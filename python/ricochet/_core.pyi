@@ -40,7 +40,35 @@ class Fractional(_Law):
     c: float
     alpha: float
 
-Law = Union[Linear, KuwabaraKono, Tsuji, Hysteretic, Fractional]
+class FractionalKelvinVoigt(_Law):
+    def __init__(self, k: float, c: float, alpha: float) -> None: ...
+    k: float
+    c: float
+    alpha: float
+
+class FractionalHertz(_Law):
+    def __init__(self, k: float, c: float, alpha: float) -> None: ...
+    k: float
+    c: float
+    alpha: float
+
+class FractionalZener(_Law):
+    def __init__(self, k: float, k1: float, tau: float, alpha: float) -> None: ...
+    k: float
+    k1: float
+    tau: float
+    alpha: float
+
+Law = Union[
+    Linear,
+    KuwabaraKono,
+    Tsuji,
+    Hysteretic,
+    Fractional,
+    FractionalKelvinVoigt,
+    FractionalHertz,
+    FractionalZener,
+]
 
 def law(name: str, **parameters: float) -> Law: ...
 
@@ -196,6 +224,8 @@ class DirectCalibrator:
         velocity: NDArray[np.float64],
         mass_eff: NDArray[np.float64],
         stiffness: NDArray[np.float64],
+        alpha: float,
+        stiffening: float,
         skip: bool,
     ) -> Mapping[str, NDArray[np.float64]]: ...
 

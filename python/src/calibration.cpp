@@ -23,9 +23,10 @@ LawKind kind_named(const std::string& name) {
 /// Columns of equal length, one row a target; stiffness not a number: none.
 struct Targets {
   std::span<const double> tcol, en, velocity, mass_eff, stiffness;
+  Held held;
 
   Request request(LawKind kind, ContactEnd end, std::size_t i) const {
-    Request r{kind, end, {tcol[i], en[i], {velocity[i], mass_eff[i]}}};
+    Request r{.law = kind, .end = end, .target = {tcol[i], en[i], {velocity[i], mass_eff[i]}}, .held = held};
     if (!std::isnan(stiffness[i])) r.stiffness = stiffness[i];
     return r;
   }
@@ -68,10 +69,10 @@ class Solved {
 
 py::dict calibrate_all(const DirectCalibrator& calibrator, const std::string& law, const std::string& end,
                        const Array& tcol, const Array& en, const Array& velocity, const Array& mass_eff,
-                       const Array& stiffness, bool skip) {
+                       const Array& stiffness, double alpha, double stiffening, bool skip) {
   const LawKind kind = kind_named(law);
   const ContactEnd ends = end_of(end);
-  const Targets targets{view(tcol), view(en), view(velocity), view(mass_eff), view(stiffness)};
+  const Targets targets{view(tcol), view(en), view(velocity), view(mass_eff), view(stiffness), {alpha, stiffening}};
   Solved solved(kind, targets.en.size());
   {
     const py::gil_scoped_release others_go_on;

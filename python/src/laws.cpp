@@ -81,10 +81,12 @@ py::object bind(py::module_& m) {
   c.def("__eq__", [](const Law& law, const py::object& other) {
     return py::isinstance<Law>(other) && other.cast<const Law&>().values() == law.values();
   });
-  c.def("__hash__", [](const Law& law) { return py::hash(py::cast(std::pair(std::string(Law::name), law.values()))); });
+  c.def("__hash__", [](const Law& law) {
+    return py::hash(py::make_tuple(std::string(Law::name), py::tuple(py::cast(law.values()))));
+  });
   c.def(py::pickle([](const Law& law) { return py::tuple(py::cast(law.values())); },
                    [](const py::tuple& state) { return Law::from(py::cast<ParameterValues<Law>>(state)); }));
-  return std::move(c);
+  return c;
 }
 
 }  // namespace

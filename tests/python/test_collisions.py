@@ -64,6 +64,17 @@ def test_calibrated_laws_do_what_was_asked():
         assert ricochet.calibrate(name, 1e-4, 0.3) == ricochet.law(name, **{p: v[0, 0] for p, v in found.items()})
 
 
+@pytest.mark.parametrize("name", ["fractional-kelvin-voigt", "fractional-hertz", "fractional-zener"])
+def test_laws_of_real_solids_hold_what_they_are_told(name):
+    law = ricochet.calibrate(name, 1e-4, 0.8, alpha=0.4)
+    assert law.alpha == 0.4
+    achieved = ricochet.collide(law, 0.5, MASS)
+    assert achieved.tcol == pytest.approx(1e-4, rel=1e-7) and achieved.en == pytest.approx(0.8, rel=1e-7)
+    if name == "fractional-zener":
+        assert law.k1 / law.k == pytest.approx(100, rel=1e-12)
+        assert ricochet.calibrate(name, 1e-4, 0.8, stiffening=10.0).k1 < 20 * law.k
+
+
 def test_a_stiffness_is_held():
     assert ricochet.calibrate("fractional", 1e-4, 0.5, stiffness=1234.0).k == pytest.approx(1234.0, rel=1e-15)
 
