@@ -145,11 +145,11 @@ std::string drawn(const std::vector<Panel>& panels, const std::vector<std::strin
                   const console::SeriesFile& file) {
   console::Plot plot{.layout = console::Layout{.rows = static_cast<int>((panels.size() + 3) / 3),
                                                .columns = 3,
-                                               .left = 0.07,
+                                               .left = 0.095,
                                                .right = 0.99,
                                                .bottom = 0.09,
                                                .top = 0.95,
-                                               .between_columns = 0.055,
+                                               .between_columns = 0.085,
                                                .between_rows = 0.13},
                      .key_panel = "at graph 0.05,0.9 left top spacing 1.3 samplen 2"};
   std::size_t series = 0;

@@ -140,7 +140,8 @@ Panel ways(const char* title, const char* file, Extent y, Extent z) {
               .equal_scales = true};
   panel.curves = {{.file = "cluster-start.csv", .what = "1:2:3", .style = "circles lc rgb '#767676' fs empty"},
                   {.file = "cluster-start.csv",
-                   .what = "($1+($4==3||$4==5?-1:1)*($3+0.006)):2:4",
+                   // Each beside its circle where no way leads.
+                   .what = "($1+($4==3?-1:1)*($3+($4==5?0.004:0.006))):($2-($4==5?0.013:0)):4",
                    .style = "labels font ',12' tc rgb '#767676'"}};
   for (int i = 1; i <= 5; ++i)
     panel.curves.push_back({.file = file,

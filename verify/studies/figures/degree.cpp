@@ -31,7 +31,7 @@ std::string csv_of(const DegreeSweep& sweep) {
 }
 
 console::Panel panel_of(const std::string& label, double most, const std::string& columns) {
-  return {.x = {.label = "conversion degree α", .range = std::pair(-0.5, 1.0)},
+  return {.x = {.label = "conversion degree α", .range = std::pair(-0.5, 1.0), .label_offset = "0,0.3"},
           .y = {.label = label, .range = std::pair(0.0, most), .label_offset = "1,0"},
           .curves = {{.file = file, .what = columns, .style = "lines lt 1 lw 2.5"}}};
 }
@@ -46,7 +46,7 @@ console::Figure degree_figure(const DegreeSweep& sweep) {
   const console::Plot plot{
       .panels = {time, restitution},
       .layout = console::Layout{
-          .rows = 1, .columns = 2, .left = 0.09, .right = 0.98, .bottom = 0.16, .top = 0.96, .between_columns = 0.1}};
+          .rows = 1, .columns = 2, .left = 0.09, .right = 0.98, .bottom = 0.2, .top = 0.96, .between_columns = 0.1}};
   const std::size_t last = sweep.alpha.size() - 1;
   return {.name = "alpha",
           .caption = "Collision time and restitution of the pair of Figs. 3 and 4 over the conversion degree.",
