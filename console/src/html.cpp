@@ -56,8 +56,8 @@ std::string head(const Table& table, const std::vector<std::string>& classes) {
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const Column& column = table.columns()[i];
     const std::string unit =
-        column.unit.empty() ? "" : fmt::format(R"(<span class="unit">{}</span>)", escaped(column.unit));
-    html += fmt::format(R"(<th scope="col"{}>{}{}</th>)", classes[i], escaped(column.name), unit);
+        column.unit.empty() ? "" : fmt::format(R"(<span class="unit">{}</span>)", html_text(column.unit));
+    html += fmt::format(R"(<th scope="col"{}>{}{}</th>)", classes[i], html_text(column.name), unit);
   }
   return html + "</tr></thead>\n";
 }
@@ -67,8 +67,9 @@ std::string one_row(const Table& table, std::size_t row, const std::vector<std::
   std::string html = "<tr>";
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const bool raw = i == 0 && !view.raw_first.empty();
-    const std::string cell =
-        raw ? view.raw_first[row] : escaped(shown(table.rows()[row][i], table.columns()[i].notation));
+    const std::string plain = shown(table.rows()[row][i], table.columns()[i].notation);
+    // A number can be copied as it stands.
+    const std::string cell = raw ? view.raw_first[row] : table.right_aligned(i) ? escaped(plain) : html_text(plain);
     html += i == 0 && !cell.empty() ? fmt::format(R"(<th scope="row"{}>{}</th>)", classes[i], cell)
                                     : fmt::format("<td{}>{}</td>", classes[i], cell);
   }
@@ -83,7 +84,7 @@ std::string rows_of(const Table& table, const TableView& view, std::size_t first
 <table><caption id="{id}">{caption}{rows}</caption>
 {head}<tbody>
 )",
-                  fmt::arg("id", view.id + (part ? "-more" : "")), fmt::arg("caption", escaped(table.caption())),
+                  fmt::arg("id", view.id + (part ? "-more" : "")), fmt::arg("caption", html_text(table.caption())),
                   fmt::arg("rows", part ? fmt::format(", rows {} to {}", first + 1, last) : ""),
                   fmt::arg("head", head(table, classes)));
   for (std::size_t r = first; r < last; ++r) html += one_row(table, r, classes, view);
@@ -134,7 +135,7 @@ std::string html_table(const Table& table, const TableView& view) {
                         rows_of(table, view, first, all, classes));
   if (all < table.rows().size())
     html += under(fmt::format("{} further rows are in the CSV file.", table.rows().size() - all));
-  for (const std::string& note : table.notes()) html += under(escaped(note));
+  for (const std::string& note : table.notes()) html += under(html_text(note));
   if (!view.links.empty()) html += under(linked(view.links));
   return html;
 }
@@ -149,8 +150,8 @@ std::string html_figure(const Figure& figure, const std::string& svg, const std:
 )",
       fmt::arg("name", escaped(fmt::format("Picture {}", figure.name))), fmt::arg("address", as_address(svg)),
       fmt::arg("width", figure.width), fmt::arg("height", figure.height), fmt::arg("finding", escaped(finding)),
-      fmt::arg("caption", escaped(figure.caption)),
-      fmt::arg("said", figure.finding.empty() ? "" : fmt::format(" {}", escaped(figure.finding))),
+      fmt::arg("caption", html_text(figure.caption)),
+      fmt::arg("said", figure.finding.empty() ? "" : fmt::format(" {}", html_text(figure.finding))),
       fmt::arg("source", source));
 }
 

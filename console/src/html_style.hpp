@@ -37,6 +37,13 @@ a:focus-visible,button:focus-visible,summary:focus-visible,[tabindex]:focus-visi
 .status{font-weight:650;white-space:nowrap}
 .pass{color:var(--pass)}.fail{color:var(--fail)}
 .pass::before{content:"\2713\00a0"}.fail::before{content:"\2717\00a0"}
+sup,sub{line-height:0;font-size:.75em}
+.back{margin-top:1.5rem}
+.contents{padding:0 clamp(.9rem,3vw,2rem);font-size:.93rem}
+@media (min-width:75em){.beside{display:grid;grid-template-columns:minmax(13rem,17rem) minmax(0,1fr);max-width:92rem;
+  margin:0 auto}
+.contents{position:sticky;top:0;max-height:100vh;overflow-y:auto;padding-top:3.5rem;align-self:start}
+.contents ul{display:block}.back{display:none}}
 nav ul{list-style:none;margin:.8rem 0;padding:0;display:flex;flex-wrap:wrap;gap:.25rem 1.2rem}
 nav a{display:inline-block;padding:.2rem 0}
 .scroll{overflow-x:auto;max-width:100%;margin:1rem 0 .4rem;background:var(--sheet);border:1px solid var(--line);

@@ -19,6 +19,20 @@ TEST_CASE("text in a page cannot become markup") {
   CHECK(slug("Fig. 5, α(nc)") == "fig-5-nc");
 }
 
+TEST_CASE("mathematics is set as people write it, and names stay what they are") {
+  CHECK(html_text("e_n = 8.8e-02 at alpha = 0.25") == "<i>e</i><sub>n</sub> = 8.8·10<sup>−2</sup> at α = 0.25");
+  CHECK(html_text("t_col, k_t; max_overlap, en_sigma, x_y_z") ==
+        "<i>t</i><sub>col</sub>, <i>k</i><sub>t</sub>; max_overlap, en_sigma, x_y_z");
+  CHECK(html_text("c^α k^{1−α} D^α ζ") == "c<sup>α</sup> k<sup>1−α</sup> D<sup>α</sup> ζ");
+  CHECK(html_text("kg/(s^2 m^(1/2)), s^(alpha-2), 10^-4 s, t^p") ==
+        "kg/(s<sup>2</sup> m<sup>1/2</sup>), s<sup>α-2</sup>, 10<sup>−4</sup> s, t<sup>p</sup>");
+  CHECK(html_text("--alpha 0.5, alpha_max, 1e30, 2.5e+05") ==
+        "--alpha 0.5, alpha_max, 1·10<sup>30</sup>, "
+        "2.5·10<sup>5</sup>");
+  CHECK(html_text("a < b^2 & x^") == "a &lt; b<sup>2</sup> &amp; x^");
+  CHECK(html_text("P(EC)2E, 3e, 0x1e5z, (^(") == "P(EC)2E, 3e, 0x1e5z, (^(");
+}
+
 TEST_CASE("a table in a page has a caption, headers with units, and hides what is long") {
   Table table({{"law"}, {"k", "kg/s²"}}, "Laws & ends");
   for (int i = 0; i < 50; ++i) table.row({"law " + std::to_string(i), 1.5 * i});

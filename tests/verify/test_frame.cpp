@@ -18,6 +18,7 @@ namespace {
 class Toy : public Study {
  public:
   std::string name() const override { return "toy"; }
+  std::string title() const override { return "All about x"; }
   std::string claim() const override { return "x is small"; }
   void add_options(CLI::App& app) override { app.add_option("--x", x_, "a number"); }
   StudyResult run(const RunOptions& options) override {
@@ -119,7 +120,7 @@ TEST_CASE("all runs every study thoroughly and writes the report") {
   CHECK(read_file(folder / "report/toy.csv") == "x [m],thorough\n0.5,true\n");
   CHECK(console::Json::parse(read_file(folder / "report/report.json"))["studies"][0]["files"] ==
         console::Json({"toy.json", "toy-gates.csv", "toy.csv"}));
-  CHECK(read_file(folder / "report/index.html").find("1 of 1 gates passed.") != std::string::npos);
+  CHECK(read_file(folder / "report/index.html").find("1 gate passed, none failed.") != std::string::npos);
   CHECK(console::Json::parse(read_file(folder / "report/toy.json"))["schema"] == "ricochet/toy/1");
   CHECK(console::Json::parse(run({"all", "--quick", "--format", "json"}).out)["studies"][0]["rows"][0]["thorough"] ==
         false);
@@ -132,13 +133,17 @@ TEST_CASE("the report is one page that loads nothing, with what failed before wh
                   holds("true", true)};
   result.verdict = "x is 0.5.";
   result.remarks = {{"Eq. (1)", "Printed wrongly."}};
+  result.skipped = {"an engine"};
   std::vector<Outcome> outcomes(2);
   outcomes[0].study = outcomes[1].study = &toy;
   outcomes[0].result = result;
   outcomes[1].error = "x broke";
   const std::string page = report_page(outcomes, {{"version", "Ricochet 1"}});
   CHECK(page.find("http") == std::string::npos);
-  CHECK(page.find("3 of 4 gates passed, 1 failed; 1 study broke down.") != std::string::npos);
+  CHECK(page.find("3 gates passed, 1 failed, 1 skipped; 1 study broke down.") != std::string::npos);
+  CHECK(page.find("Skipped, as it is not installed here: an engine.") != std::string::npos);
+  CHECK(page.find("<a href=\"#study-toy\">All about x</a>") < page.find("<h2 id=\"study-toy\">All about x "));
+  CHECK(page.find("How this page was made</h2>") > page.find("<h2 id=\"study-toy\">"));
   CHECK(page.find("calm &lt;b&gt;") != std::string::npos);
   CHECK(page.find("beyond") < page.find("near its bound"));
   CHECK(page.find("near its bound") < page.find("calm"));
@@ -146,8 +151,19 @@ TEST_CASE("the report is one page that loads nothing, with what failed before wh
   CHECK(page.find("Printed wrongly.") != std::string::npos);
   const auto json = report_json(outcomes, {{"version", "Ricochet 1"}});
   CHECK(json["schema"] == "ricochet/report/1");
+  CHECK(json["counts"] == console::Json{{"passed", 3}, {"failed", 1}, {"skipped", 1}});
+  CHECK(json["studies"][0]["skipped"] == console::Json{"an engine"});
   CHECK(json["gates"].size() == 4);
   CHECK(json["studies"][1]["error"] == "x broke");
+}
+
+TEST_CASE("JUnit tells what was skipped from what passed and failed") {
+  StudyResult result;
+  result.gates = {at_most("small", 0.5, 1), at_most("large", 2, 1)};
+  result.skipped = {"an engine"};
+  const std::string suite = junit_suite("toy", result);
+  CHECK(suite.find("tests=\"3\" failures=\"1\" skipped=\"1\"") != std::string::npos);
+  CHECK(suite.find("name=\"an engine\"><skipped/></testcase>") != std::string::npos);
 }
 
 TEST_CASE("how much of its room a gate's value takes") {

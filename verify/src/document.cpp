@@ -9,10 +9,22 @@ namespace ricochet::verify {
 using console::Format;
 using console::Json;
 
+Counts counts_of(const StudyResult& result) {
+  Counts counts{.skipped = result.skipped.size()};
+  for (const Gate& gate : result.gates) ++(gate.pass ? counts.passed : counts.failed);
+  return counts;
+}
+
+Json to_json(const Counts& counts) {
+  return {{"passed", counts.passed}, {"failed", counts.failed}, {"skipped", counts.skipped}};
+}
+
 Json study_json(const Study& study, const StudyResult& result) {
   Json json{
       {"schema", fmt::format("ricochet/{}/1", study.name())}, {"claim", study.claim()}, {"verdict", result.verdict}};
   json.update(result.extra);
+  json["counts"] = to_json(counts_of(result));
+  json["skipped"] = result.skipped;
   json["gates"] = Json::array();
   for (const Gate& gate : result.gates) json["gates"].push_back(to_json(gate));
   if (!result.remarks.empty()) json["remarks"] = Json::array();
@@ -54,7 +66,7 @@ std::string study_csv(const Study& study, const StudyResult& result) {
 std::string study_text(const Study& study, const StudyResult& result, Format format) {
   if (format == Format::json) return console::document(study_json(study, result));
   if (format == Format::csv) return study_csv(study, result);
-  if (format == Format::junit) return junit_document(junit_suite(study.name(), result.gates));
+  if (format == Format::junit) return junit_document(junit_suite(study.name(), result));
   auto tables = result.tables;
   if (!result.gates.empty()) tables.push_back(gate_table(result.gates));
   std::string text = console::render_all(tables, format);

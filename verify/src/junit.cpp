@@ -5,23 +5,25 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace ricochet::verify {
 
-std::string junit_suite(const std::string& study, const std::vector<Gate>& gates) {
+std::string junit_suite(const std::string& study, const StudyResult& result) {
   using console::escaped;
-  const auto failures = std::count_if(gates.begin(), gates.end(), [](const Gate& gate) { return !gate.pass; });
-  std::string text =
-      fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n", escaped(study), gates.size(), failures);
-  for (const Gate& gate : gates) {
+  const Counts counts = counts_of(result);
+  const auto opened = [&](const std::string& name) {
+    return fmt::format("    <testcase classname=\"verify.{}\" name=\"{}\"", escaped(study), escaped(name));
+  };
+  std::string text = fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n",
+                                 escaped(study), result.gates.size() + counts.skipped, counts.failed, counts.skipped);
+  for (const Gate& gate : result.gates) {
     const std::string value = std::isfinite(gate.value) ? console::shortest(gate.value) : "not finite";
-    text += fmt::format("    <testcase classname=\"verify.{}\" name=\"{}\"", escaped(study), escaped(gate.name));
-    text += gate.pass
-                ? "/>\n"
-                : fmt::format("><failure message=\"{}: must be {}\"/></testcase>\n", value, escaped(bound_text(gate)));
+    text += opened(gate.name) + (gate.pass ? "/>\n"
+                                           : fmt::format("><failure message=\"{}: must be {}\"/></testcase>\n", value,
+                                                         escaped(bound_text(gate))));
   }
+  for (const std::string& what : result.skipped) text += opened(what) + "><skipped/></testcase>\n";
   return text + "  </testsuite>\n";
 }
 

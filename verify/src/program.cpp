@@ -85,7 +85,10 @@ Outcome run_guarded(Study& study, const Options& options, Folder& folder, Exit& 
 
 /// "ricochet/all/1".
 Json json_of_all(const std::vector<Outcome>& outcomes) {
-  Json all{{"schema", "ricochet/all/1"}, {"gates", Json::array()}, {"studies", Json::array()}};
+  Json all{{"schema", "ricochet/all/1"},
+           {"counts", to_json(counts_of(outcomes))},
+           {"gates", Json::array()},
+           {"studies", Json::array()}};
   for (const Outcome& outcome : outcomes) {
     if (!outcome.result) continue;
     for (Gate gate : outcome.result->gates) {
@@ -108,7 +111,7 @@ std::string shown_all(const std::vector<Outcome>& outcomes, Format format) {
     if (format == Format::csv)
       add_cells(cells, name, *outcome.result);
     else if (format == Format::junit)
-      text += junit_suite(name, outcome.result->gates);
+      text += junit_suite(name, *outcome.result);
     else
       text += (text.empty() ? "" : "\n") + study_text(*outcome.study, *outcome.result, format);
   }

@@ -36,6 +36,13 @@ Json files_of(const Outcome& outcome) {
 
 }  // namespace
 
+Counts counts_of(const std::vector<Outcome>& outcomes) {
+  Counts all;
+  for (const Outcome& outcome : outcomes)
+    if (outcome.result) all += counts_of(*outcome.result);
+  return all;
+}
+
 std::vector<std::string> table_files(const Study& study, const StudyResult& result) {
   std::vector<std::string> files{study.name() + ".csv"};
   if (result.data || result.tables.empty()) return files;
@@ -59,6 +66,7 @@ std::vector<std::string> write_study(const Study& study, const StudyResult& resu
 Json report_json(const std::vector<Outcome>& outcomes, const Facts& made_by) {
   Json json{{"schema", "ricochet/report/1"},
             {"made_by", Json::object()},
+            {"counts", to_json(counts_of(outcomes))},
             {"gates", Json::array()},
             {"studies", Json::array()}};
   for (const auto& [what, value] : made_by) json["made_by"][what] = value;

@@ -13,6 +13,10 @@ namespace ricochet::console {
 /// `text` for use between tags and inside quoted attributes: & < > " ' become entities, control characters spaces.
 std::string escaped(std::string_view text);
 
+/// `text` for use between tags, its mathematics set as such: e_n and t_col with an index, x^2, c^{1−α} and m^(1/2) with
+/// an exponent, 8.8e-02 as 8.8·10⁻², alpha as α. Names such as max_overlap and --alpha stay.
+std::string html_text(std::string_view text);
+
 /// A word that is its own anchor and file name: lower-case letters, digits and "-".
 std::string slug(std::string_view text);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <verify/document.hpp>
 #include <verify/study.hpp>
 
 #include <optional>
@@ -28,6 +29,9 @@ struct Outcome {
   std::vector<std::string> pictures = {};  ///< SVG, one a figure
   double seconds = 0;
 };
+
+/// Of all studies that came to an end.
+Counts counts_of(const std::vector<Outcome>& outcomes);
 
 /// What a run was made by: names and values such as {"compiler", "g++ 12.2.0"}.
 using Facts = std::vector<std::pair<std::string, std::string>>;

@@ -35,7 +35,8 @@ struct StudyResult {
   console::Json extra = console::Json::object();  ///< further members of the JSON's top level
   std::vector<console::Figure> figures;
   std::vector<Remark> remarks;
-  std::string verdict;  ///< what was found, in one sentence, made from the numbers of this run
+  std::vector<std::string> skipped = {};  ///< what could not be tried here; neither passed nor failed
+  std::string verdict;                    ///< what was found, in one sentence, made from the numbers of this run
 };
 
 /// One thing that is verified: a claim, the measurement, and the gates. A study has no physics of its own: it calls
@@ -47,6 +48,8 @@ class Study {
 
   /// The word on the command line and in the schema "ricochet/<name>/1".
   virtual std::string name() const = 0;
+  /// What a section about it is called.
+  virtual std::string title() const { return name(); }
   /// What is claimed and by whom (equation, figure or table of the paper), in one sentence.
   virtual std::string claim() const = 0;
   /// Adds the study's own options to its subcommand; they keep their defaults in `verify all`.

@@ -20,6 +20,7 @@ using benchmarks::Row;
 class Benchmarks : public Study {
  public:
   std::string name() const override { return "benchmarks"; }
+  std::string title() const override { return "Published benchmarks of contact models"; }
   std::string claim() const override {
     return "Clusters meet the published benchmarks of contact models: Chung & Ooi (2011), MFiX DEM01-DEM05";
   }

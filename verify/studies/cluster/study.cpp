@@ -138,6 +138,7 @@ std::string verdict(const std::vector<Run>& strong, const std::vector<Run>& weak
 class ClusterStudy : public Study {
  public:
   std::string name() const override { return "cluster"; }
+  std::string title() const override { return "Five spheres in space: Figs. 7 to 9"; }
   std::string claim() const override {
     return "Figs. 7-9: five spheres in space, binary collisions at alpha = 0.01, multiparticle ones at alpha = 0.97";
   }

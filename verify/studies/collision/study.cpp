@@ -151,6 +151,7 @@ void add_paper_steps(StudyResult& result, const std::vector<SolverConvergence>& 
 class CollisionStudy : public Study {
  public:
   std::string name() const override { return "collision"; }
+  std::string title() const override { return "What thirty steps a contact buy"; }
   std::string claim() const override {
     return "The paper takes 30 steps a contact: what that buys in e_n, t_col and the overlap at the end with each "
            "solver, "

@@ -26,6 +26,7 @@ using console::Table;
 class ColumnStudy : public Study {
  public:
   std::string name() const override { return "column"; }
+  std::string title() const override { return "A falling column of beads: Fig. 6"; }
   std::string claim() const override {
     return "In a falling column of beads (Fig. 6) laws with constant parameters detach; a conversion degree that grows "
            "with the number of beads gives the dissipation of single collisions";

@@ -150,6 +150,7 @@ Runs run_all(const std::vector<Engine>& wanted) {
 class Engines : public Study {
  public:
   std::string name() const override { return "engines"; }
+  std::string title() const override { return "The engines that are installed here, run with our exports"; }
   std::string claim() const override {
     return "What calibrate --export writes makes the engines that are installed here collide as asked";
   }
@@ -184,7 +185,7 @@ StudyResult Engines::run(const RunOptions&) {
   for (const std::string& who : required_) result.gates.push_back(holds(who + " is installed", !runs.misses(who)));
   for (const Gate& gate : oblique_gates(runs.oblique)) result.gates.push_back(gate);
   result.extra["oblique"] = oblique_rows(runs.oblique);
-  result.extra["skipped"] = runs.missing;
+  result.skipped = runs.missing;
   result.verdict = fmt::format("{} contacts and {} oblique impacts run", runs.outcomes.size(), runs.oblique.size());
   for (const std::string& who : runs.missing) result.verdict += fmt::format("; SKIPPED {}: not installed here", who);
   result.verdict += ".";

@@ -136,6 +136,7 @@ std::vector<Gate> gates(const std::vector<PrintedLaw>& laws, const figures::Degr
 class Figures : public Study {
  public:
   std::string name() const override { return "figures"; }
+  std::string title() const override { return "One collision seen closely: Figs. 2 to 5"; }
   std::string claim() const override {
     return "Figs. 2-5: the collision over time and in phase, what ends it at every alpha, and friction's F and T";
   }

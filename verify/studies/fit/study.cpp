@@ -184,6 +184,7 @@ std::pair<double, double> cover(StudyResult& result, int trials) {
 class FitStudy : public Study {
  public:
   std::string name() const override { return "fit"; }
+  std::string title() const override { return "Laws from measured rebounds"; }
   std::string claim() const override {
     return "Fits to restitution against speed find the parameters that the data tell, within the errors that they "
            "state";

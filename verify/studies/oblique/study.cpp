@@ -96,6 +96,7 @@ void add_scan(StudyResult& result, const Scan& s) {
 class Oblique : public Study {
  public:
   std::string name() const override { return "oblique"; }
+  std::string title() const override { return "Oblique impact"; }
   std::string claim() const override {
     return "The oblique collision of any normal law with any tangential one is exact where that is known, makes no "
            "energy, and with springs meets measured grains";

@@ -99,6 +99,7 @@ std::vector<std::string> scheme_names(bool thorough) {
 class Orders : public Study {
  public:
   std::string name() const override { return "orders"; }
+  std::string title() const override { return "The order of every operator and solver"; }
   std::string claim() const override {
     return "(59) and (60) are called accurate to the fourth power of the number of steps (garbled in print): every "
            "operator and solver against its derived order, from both sides";

@@ -90,6 +90,7 @@ Json rows(const std::vector<Curve>& curves, const std::vector<double>& asked) {
 class Peers : public Study {
  public:
   std::string name() const override { return "peers"; }
+  std::string title() const override { return "How engines turn a restitution into damping"; }
   std::string claim() const override {
     return "Engines turn a restitution into damping by closed forms and polynomials: what comes out is what was asked "
            "only where the form was made for the end of contact that the engine uses";

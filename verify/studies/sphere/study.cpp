@@ -143,6 +143,7 @@ console::Table refinement_table(const std::vector<Refinement>& all, const std::s
 class Sphere : public Study {
  public:
   std::string name() const override { return "sphere"; }
+  std::string title() const override { return "A real power-law sphere: physics or a fit?"; }
   std::string claim() const override {
     return "The paper's law, linear in the overlap, has nearly the restitution of a real sphere of a power-law solid: "
            "within 0.15, 0.6, 1.5 % at alpha = 0.0625, 0.25, 0.5, which Hertzian forms of it have not";

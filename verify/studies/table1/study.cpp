@@ -220,6 +220,7 @@ std::string verdict(const std::vector<Trial>& trials, const Findings& f) {
 class Table1 : public Study {
  public:
   std::string name() const override { return "table1"; }
+  std::string title() const override { return "The paper's Table I: how many steps a collision needs"; }
   std::string claim() const override {
     return "Table I: the paper chooses the number of steps from the end of the collision of Fig. 2, and calls (59) "
            "accurate to a high power of it";

@@ -191,6 +191,7 @@ std::vector<Remark> remarks(double greatest, double greatest_miss, double moved)
 class Table2 : public Study {
  public:
   std::string name() const override { return "table2"; }
+  std::string title() const override { return "The paper's Table II, and what its coefficients give"; }
   std::string claim() const override {
     return "The coefficients of the paper's Table II give every law a collision time of 1e-4 s and a restitution of "
            "0.5";

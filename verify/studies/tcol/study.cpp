@@ -152,6 +152,7 @@ std::vector<Gate> gates(const Curve& curve) {
 class Tcol : public Study {
  public:
   std::string name() const override { return "tcol"; }
+  std::string title() const override { return "The estimate of the collision time, Eq. (57)"; }
   std::string claim() const override {
     return "Eq. (57) estimates the collision time of the fractional law, from below";
   }

@@ -1,0 +1,130 @@
+#include <console/html.hpp>
+
+#include <cctype>
+#include <optional>
+
+// Mathematics as people type it, made what people write. Works on text that is escaped already: markup characters have
+// become entities, so that none of the signs below is part of a tag.
+
+namespace ricochet::console {
+
+namespace {
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; }
+bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
+/// The text between `at`, where a bracket opens, and its partner; nullopt where there is none.
+std::optional<std::string_view> bracketed(std::string_view text, std::size_t at) {
+  const char open = text[at], close = open == '{' ? '}' : ')';
+  int depth = 0;
+  for (std::size_t i = at; i < text.size(); ++i) {
+    depth += text[i] == open ? 1 : text[i] == close ? -1 : 0;
+    if (depth == 0) return text.substr(at + 1, i - at - 1);
+  }
+  return std::nullopt;
+}
+
+/// What of `text` from `at` on makes an exponent without brackets: a sign and digits, or one letter.
+std::size_t bare_exponent(std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  if (text.substr(end).starts_with("−"))
+    end += std::string_view("−").size();
+  else if (end < text.size() && text[end] == '-')
+    ++end;
+  const std::size_t digits = end;
+  while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
+  if (end > digits) return end - at;
+  if (digits > at || at >= text.size()) return 0;
+  if (is_ascii(text[at])) return std::isalpha(static_cast<unsigned char>(text[at])) ? 1 : 0;
+  std::size_t letter = 1;  // of several bytes
+  while (at + letter < text.size() && (static_cast<unsigned char>(text[at + letter]) & 0xC0) == 0x80) ++letter;
+  return letter;
+}
+
+class Writer {
+ public:
+  explicit Writer(std::string_view text) : text_(text) {}
+
+  std::string html() {
+    while (at_ < text_.size())
+      if (!exponent() && !index() && !power_of_ten() && !alpha()) html_ += text_[at_++];
+    return html_;
+  }
+
+ private:
+  bool begins_word() const { return at_ == 0 || !is_word(text_[at_ - 1]); }
+
+  /// x^2, x^{1−α}, s^(alpha-2)
+  bool exponent() {
+    if (text_[at_] != '^' || at_ + 1 >= text_.size()) return false;
+    const char next = text_[at_ + 1];
+    if (next == '{' || next == '(') {
+      const auto inner = bracketed(text_, at_ + 1);
+      if (!inner) return false;
+      html_ += "<sup>" + Writer(*inner).html() + "</sup>";
+      at_ += inner->size() + 3;
+      return true;
+    }
+    const std::size_t length = bare_exponent(text_, at_ + 1);
+    if (length == 0) return false;
+    html_ += "<sup>" + signed_text(text_.substr(at_ + 1, length)) + "</sup>";
+    at_ += 1 + length;
+    return true;
+  }
+
+  /// e_n, t_col, k_t: one letter of its own with up to four characters below it.
+  bool index() {
+    if (!std::isalpha(static_cast<unsigned char>(text_[at_])) || !begins_word()) return false;
+    if (at_ + 2 >= text_.size() || text_[at_ + 1] != '_') return false;
+    std::size_t end = at_ + 2;
+    while (end < text_.size() && std::isalnum(static_cast<unsigned char>(text_[end]))) ++end;
+    if (end == at_ + 2 || end > at_ + 6 || (end < text_.size() && text_[end] == '_')) return false;
+    html_ +=
+        "<i>" + std::string(1, text_[at_]) + "</i><sub>" + std::string(text_.substr(at_ + 2, end - at_ - 2)) + "</sub>";
+    at_ = end;
+    return true;
+  }
+
+  /// 8.8e-02 after its digits
+  bool power_of_ten() {
+    if (text_[at_] != 'e' || at_ == 0 || !std::isdigit(static_cast<unsigned char>(text_[at_ - 1]))) return false;
+    std::size_t end = at_ + 1;
+    const bool negative = end < text_.size() && text_[end] == '-';
+    if (end < text_.size() && (text_[end] == '-' || text_[end] == '+')) ++end;
+    std::size_t last = end;
+    while (last < text_.size() && std::isdigit(static_cast<unsigned char>(text_[last]))) ++last;
+    if (last == end || (last < text_.size() && (is_word(text_[last]) || !is_ascii(text_[last])))) return false;
+    while (end + 1 < last && text_[end] == '0') ++end;
+    html_ += "·10<sup>" + std::string(negative ? "−" : "") + std::string(text_.substr(end, last - end)) + "</sup>";
+    at_ = last;
+    return true;
+  }
+
+  /// The word, but not in a flag or a name.
+  bool alpha() {
+    constexpr std::string_view word = "alpha";
+    if (!text_.substr(at_).starts_with(word) || !begins_word()) return false;
+    const std::size_t end = at_ + word.size();
+    if (end < text_.size() && text_[end] != '-' && is_word(text_[end])) return false;
+    html_ += "α";
+    at_ = end;
+    return true;
+  }
+
+  static std::string signed_text(std::string_view exponent) {
+    return exponent.starts_with("-") ? "−" + std::string(exponent.substr(1)) : std::string(exponent);
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::string html_;
+};
+
+}  // namespace
+
+std::string html_text(std::string_view text) {
+  const std::string safe = escaped(text);
+  return Writer(safe).html();
+}
+
+}  // namespace ricochet::console
