@@ -42,7 +42,9 @@ sup,sub{line-height:0;font-size:.75em}
 .contents{padding:0 clamp(.9rem,3vw,2rem);font-size:.93rem}
 @media (min-width:75em){.beside{display:grid;grid-template-columns:minmax(13rem,17rem) minmax(0,1fr);max-width:92rem;
   margin:0 auto}
-.contents{position:sticky;top:0;max-height:100vh;overflow-y:auto;padding-top:3.5rem;align-self:start}
+.beside>*{grid-column:2;margin:0;width:100%}
+.contents{grid-column:1;grid-row:1/span 3;position:sticky;top:0;max-height:100vh;overflow-y:auto;align-self:start;
+  padding-top:3.5rem}
 .contents ul{display:block}.back{display:none}}
 nav ul{list-style:none;margin:.8rem 0;padding:0;display:flex;flex-wrap:wrap;gap:.25rem 1.2rem}
 nav a{display:inline-block;padding:.2rem 0}

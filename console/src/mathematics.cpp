@@ -26,13 +26,18 @@ std::optional<std::string_view> bracketed(std::string_view text, std::size_t at)
 
 /// What of `text` from `at` on makes an exponent without brackets: a sign and digits, or one letter.
 std::size_t bare_exponent(std::string_view text, std::size_t at) {
+  const auto is_digit = [&](std::size_t i) {
+    return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i]));
+  };
   std::size_t end = at;
   if (text.substr(end).starts_with("−"))
     end += std::string_view("−").size();
   else if (end < text.size() && text[end] == '-')
     ++end;
   const std::size_t digits = end;
-  while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
+  while (is_digit(end)) ++end;
+  if (end > digits && end < text.size() && text[end] == '.' && is_digit(end + 1))
+    for (++end; is_digit(end);) ++end;
   if (end > digits) return end - at;
   if (digits > at || at >= text.size()) return 0;
   if (is_ascii(text[at])) return std::isalpha(static_cast<unsigned char>(text[at])) ? 1 : 0;

@@ -26,6 +26,7 @@ TEST_CASE("mathematics is set as people write it, and names stay what they are")
   CHECK(html_text("c^α k^{1−α} D^α ζ") == "c<sup>α</sup> k<sup>1−α</sup> D<sup>α</sup> ζ");
   CHECK(html_text("kg/(s^2 m^(1/2)), s^(alpha-2), 10^-4 s, t^p") ==
         "kg/(s<sup>2</sup> m<sup>1/2</sup>), s<sup>α-2</sup>, 10<sup>−4</sup> s, t<sup>p</sup>");
+  CHECK(html_text("K D^a z^1.5. x^2.") == "K D<sup>a</sup> z<sup>1.5</sup>. x<sup>2</sup>.");
   CHECK(html_text("--alpha 0.5, alpha_max, 1e30, 2.5e+05") ==
         "--alpha 0.5, alpha_max, 1·10<sup>30</sup>, "
         "2.5·10<sup>5</sup>");

@@ -162,8 +162,10 @@ const Outcome* leading(const std::vector<Outcome>& outcomes) {
 std::string lead(const std::vector<Outcome>& outcomes) {
   const Outcome* o = leading(outcomes);
   if (!o) return {};
-  return fmt::format("<p class=\"verdict\">{} {}</p>\n{}", html_text(o->result->verdict),
-                     link_to(*o, o->study->title()), figure(*o, 0));
+  // The figure's own words have the numbers.
+  const std::string sentence = passed(*o) ? o->study->claim() + "." : o->result->verdict;
+  return fmt::format("<p class=\"verdict\">{} {}</p>\n{}", html_text(sentence), link_to(*o, o->study->title()),
+                     figure(*o, 0));
 }
 
 std::string tables(const Outcome& outcome) {
@@ -229,19 +231,19 @@ std::string report_page(const std::vector<Outcome>& outcomes, const Facts& made_
   const std::size_t broke_down = broken(outcomes);
   const std::string differing = remarks(outcomes);
   std::string body = fmt::format(
-      "<div class=\"beside\">\n{}<div>\n<header>\n<h1>What Ricochet verified</h1>\n<p class=\"lead\">{} {}</p>\n{}"
-      "</header>\n<main id=\"content\">\n{}<p>The claims of J. S. Leszczynski, Phys. Rev. E 70, 051315 (2004), on the "
+      "<div class=\"beside\">\n<header>\n<h1>What Ricochet verified</h1>\n<p class=\"lead\">{} {}</p>\n{}"
+      "{}</header>\n{}<main id=\"content\">\n<p>The claims of J. S. Leszczynski, Phys. Rev. E 70, 051315 (2004), on "
+      "the "
       "fractional interaction law, and those of this program about itself, measured against bounds that were derived "
       "beforehand.</p>\n{}{}<h2 id=\"gates\">Gates</h2>\n<p>A gate is a number and the bounds that it must keep. What "
       "failed comes first, then what came nearest to its bound. The whole run as <a "
       "href=\"report.json\">report.json</a>.</p>\n{}",
-      contents(outcomes, !differing.empty()), console::html_status(all.failed == 0 && broke_down == 0),
-      escaped(summary(all, broke_down)), skipped(outcomes), lead(outcomes), overview(outcomes), differing,
+      console::html_status(all.failed == 0 && broke_down == 0), escaped(summary(all, broke_down)), skipped(outcomes),
+      lead(outcomes), contents(outcomes, !differing.empty()), overview(outcomes), differing,
       gates_table(by_weight(outcomes), "all-gates", "All gates", true));
   for (const Outcome& outcome : outcomes) body += section(outcome);
-  body +=
-      fmt::format("{}</main>\n<footer><p>{}. SI units unless a column says otherwise.</p></footer>\n</div>\n</div>\n",
-                  made(made_by), escaped(made_by.front().second));
+  body += fmt::format("{}</main>\n<footer><p>{}. SI units unless a column says otherwise.</p></footer>\n</div>\n",
+                      made(made_by), escaped(made_by.front().second));
   return console::html_page("What Ricochet verified: " + summary(all, broke_down), body);
 }
 
