@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Time of a step of `model fractional` beside LIGGGHTS's own `model hooke`, both with tangential history, in a settled
-# packing: 1000 grains and the same ten times over. Each model settles its packing itself, so that both hold as many
-# contacts. Prints a Markdown table; microseconds a step, the least of REPEATS runs taken in turn.
+# Time of a step of our models beside LIGGGHTS's own `model hooke`, all with tangential history, in a settled packing:
+# 1000 grains and the same ten times over. Each model settles its packing itself, so that all hold as many contacts.
+# Prints a Markdown table; microseconds a step, the least of REPEATS runs taken in turn.
 #   step_cost.sh [PATH-OF-liggghts-ricochet]      REPEATS=5 STEPS=1000 by default
+#   MODELS="hooke fractional-zener" by default all; the first is what the others are compared with
 
 set -euo pipefail
 
 driver=${1:-$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../../build/release/bin/liggghts-ricochet}
 driver=$(readlink -f "$driver")
 repeats=${REPEATS:-5} steps=${STEPS:-1000}
+read -ra models <<<"${MODELS:-hooke fractional fractional-kelvin-voigt fractional-hertz fractional-zener}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -90,20 +92,24 @@ run $steps"; } >run.deck
     END { printf "%.1f %.2f\n", 1e6 * time / steps, contacts }' run.out
 }
 
-for model in hooke fractional; do
+for model in "${models[@]}"; do
   settle "$model" 1000 25000 <loose.data
   side_by_side 5 2 <"$model.1000.dump" >ten.data
   settle "$model" 10000 4000 <ten.data
 done
 
-printf '| grains | ranks | hooke [µs] | fractional [µs] | ratio | contacts a grain |\n|---:|---:|---:|---:|---:|---:|\n'
+printf '| grains | ranks | model | a step [µs] | of %s | contacts a grain |\n|---:|---:|---|---:|---:|---:|\n' "${models[0]}"
 for grains in 1000 10000; do
   for ranks in 1 2; do
     for ((i = 0; i < repeats; i++)); do
-      echo "$(time_of hooke "$grains" "$ranks") $(time_of fractional "$grains" "$ranks")"
+      for model in "${models[@]}"; do
+        echo "$model $(time_of "$model" "$grains" "$ranks")"
+      done
     done | awk -v grains="$grains" -v ranks="$ranks" '
-      NR == 1 || $1 < hooke { hooke = $1 } NR == 1 || $3 < fractional { fractional = $3 }
-      END { printf "| %d | %d | %.0f | %.0f | %.2f | %s, %s |\n", grains, ranks, hooke, fractional, fractional / hooke,
-                   $2, $4 }'
+      !($1 in least) { order[++count] = $1; least[$1] = $2; contacts[$1] = $3 }
+      $2 < least[$1] { least[$1] = $2 }
+      END { for (i = 1; i <= count; i++) { m = order[i]
+        printf "| %d | %d | %s | %.0f | %.2f | %s |\n", grains, ranks, m, least[m], least[m] / least[order[1]],
+               contacts[m] } }'
   done
 done
