@@ -18,8 +18,8 @@ double start_weight(double p, double theta) noexcept;
 ///   fractional-kelvin-voigt  k t + c t^{1−α}/Γ(2−α)
 ///   fractional-hertz         (k t^{3/2} + c Γ(5/2) t^{3/2−α}/Γ(5/2−α)) v^{3/2}
 ///   fractional-zener         k t + k₁ t E_{α,2}(−(t/τ)^α)
-/// The last is no power of the time: its kick comes from Euler and Maclaurin's formula itself, from the third kick after
-/// it on and without their third derivative, |error| < 4e-5 of the arm's force after a step.
+/// The last is no power of the time: its kick comes from Euler and Maclaurin's formula itself, from the third kick
+/// after it on and without their third derivative, |error| < 4e-5 of the arm's force after a step.
 double first_kick(const Fractional& law, double rate, double theta, double dt) noexcept;
 double first_kick(const FractionalKelvinVoigt& law, double rate, double theta, double dt) noexcept;
 double first_kick(const FractionalHertz& law, double rate, double theta, double dt) noexcept;

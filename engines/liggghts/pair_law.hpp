@@ -22,8 +22,8 @@ template <class Law>
 using ContactFor = std::function<const LocatedContact<Law>&(const Law&)>;
 
 /// A law between grains of two materials: the contact that all their pairs share, what turns it into one pair's force,
-/// and how that pair collides. Of fractional-hertz alone the collision depends on the `velocity` [m/s]: it is the one at
-/// which all of this holds.
+/// and how that pair collides. Of fractional-hertz alone the collision depends on the `velocity` [m/s]: it is the one
+/// at which all of this holds.
 template <class Law>
 class PairLaw {
  public:
