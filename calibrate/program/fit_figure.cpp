@@ -142,16 +142,6 @@ console::Panel lower(const Quantity& of, const Table& measured, std::size_t curv
   return panel;
 }
 
-std::string finding_of(const std::vector<Fit>& fits) {
-  const auto best =
-      std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.aic < b.aic; });
-  std::string text = fmt::format("By the AIC {} fits best", fit_name(best->request));
-  for (const Fit& fit : fits)
-    if (&fit != &*best)
-      text += fmt::format(", {} is {} over it", fit_name(fit.request), console::fixed(fit.aic - best->aic, 1));
-  return text + ".";
-}
-
 }  // namespace
 
 console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measurement>& data) {
@@ -181,7 +171,7 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
           {{"fit_points.csv", measured.csv()}, {"fit_lines.csv", lines(curves, data, times).csv()}},
           times ? 1000 : 720,
           height,
-          finding_of(fits)};
+          preference_text(fits)};
 }
 
 }  // namespace ricochet::calibration
