@@ -42,9 +42,7 @@ struct Curves {
   }
   template <RemembersAll Law>
   std::vector<console::Moment> operator()(const Law& law) const {
-    using Arms = typename Law::Arms;
-    const double step = tcol / 2000;
-    return (*this)(Arms(law, affordable_kernel(law.alpha(), {step, 1.05 * tcol, 1e-6}, Arms::max_kernel_arms), step));
+    return (*this)(arms_of_collision(law, tcol));
   }
   std::vector<console::Moment> operator()(const Fractional& law) const {
     constexpr int samples = 200;

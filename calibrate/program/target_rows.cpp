@@ -232,24 +232,26 @@ std::optional<Infeasible> TargetRows::add_tangential(Row& row, const Scale& scal
   return std::nullopt;
 }
 
-/// An α beside another loss is for laws that hold one: of the defaults the others leave it, in their row it is a loss too
-/// many.
+/// What is held is for laws that hold it: of the defaults the others leave it, in their row it is a number too many.
 void TargetRows::leave_unheld(Row& row, LawKind kind) const {
-  constexpr std::size_t alpha = place_of(&Asked::alpha), stiffening = place_of(&Asked::stiffening);
   Asked& asked = *row.asked;
-  if (holds_alpha(asked) && !holds_degree(kind)) {
-    if (!row.text[alpha].empty()) refuse_second_loss(asked, Spelling::columns);
-    asked.alpha.reset();
-    row.taken &= ~bit(alpha);
+  const auto own = [&](std::optional<double> Asked::*member) { return !row.text[place_of(member)].empty(); };
+  const auto leave = [&](std::optional<double> Asked::*member) {
+    (asked.*member).reset();
+    row.taken &= ~bit(place_of(member));
+  };
+  const bool follows = kind == kind_of<FractionalKelvinVoigt> && asked.tcol && asked.stiffness;
+  if (holds_alpha(asked) && (follows || !holds_degree(kind))) {
+    if (own(&Asked::alpha) && follows)
+      throw BadInput("alpha", console::shortest(*asked.alpha), "left out with tcol, en and stiffness, which set it");
+    if (own(&Asked::alpha)) refuse_second_loss(asked, Spelling::columns);
+    leave(&Asked::alpha);
   }
-  if (kind == kind_of<FractionalKelvinVoigt> && asked.alpha && asked.tcol && asked.stiffness)
-    throw BadInput("alpha", console::shortest(*asked.alpha), "left out with tcol, en and stiffness, which set it");
   if (kind == kind_of<FractionalZener> || !asked.stiffening) return;
-  if (!row.text[stiffening].empty())
+  if (own(&Asked::stiffening))
     throw BadInput("stiffening", console::shortest(*asked.stiffening),
-                   "left out with the law " + std::string(kind.name()));
-  asked.stiffening.reset();
-  row.taken &= ~bit(stiffening);
+                   fmt::format("left out with the law {}", kind.name()));
+  leave(&Asked::stiffening);
 }
 
 std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {

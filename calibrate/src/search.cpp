@@ -22,7 +22,9 @@ struct Residual {
 class Problem {
  public:
   Problem(const Request& request, double load)
-      : request_(request), target_loss_(-std::log(request.target.en)), load_(load) {}
+      : request_(request), target_loss_(-std::log(request.target.en)), load_(load) {
+    if (request.law == kind_of<FractionalZener>) most_ = Reduction<FractionalZener>::lossiest(request.held);
+  }
 
   /// 2 unknowns; the elastic law has the stiffness alone.
   unsigned unknowns() const { return target_loss_ > 0 ? 2 : 1; }
@@ -61,6 +63,7 @@ class Problem {
     ++evaluations_;
     // Beyond e^40 no target needs the parameters: a step that far is a runaway, and exp would overflow later.
     if (std::abs(x[0]) > 40 || std::abs(x[1]) > 40) return {100, 100};
+    if (x[1] > most_) return {50, 50 + x[1]};
     const auto out = unit_collision(request_, coordinates(x), load_);
     if (!out.separated() || out.en <= 0) return {50, 50 + x[1]};  // less loss is the way back
     return {std::log(out.tcol), unknowns() == 1 ? 0 : loss_residual(-std::log(out.en))};
@@ -76,6 +79,7 @@ class Problem {
 
   const Request& request_;
   double target_loss_, load_;
+  double most_ = std::numeric_limits<double>::infinity();  // past it the law loses less again
   std::size_t evaluations_ = 0;
   Point best_{0, 0};
   double best_value_ = std::numeric_limits<double>::max();

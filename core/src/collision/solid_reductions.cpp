@@ -100,6 +100,7 @@ std::optional<FractionalHertz> Reduction<FractionalHertz>::in_si(const Fractiona
 
 double Reduction<FractionalHertz>::restitution_bound(ContactEnd end, const Held& held) {
   require_held(held);
+  if (held.alpha == 0) return 1;
   return collide(FractionalHertz(0, 1, held.alpha), {1, 1}, {end}).en;
 }
 
