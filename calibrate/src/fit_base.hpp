@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <initializer_list>
-#include <utility>
 
 namespace ricochet::calibration {
 
@@ -33,7 +32,7 @@ inline const Measurement& typical(const std::vector<Measurement>& data) { return
 /// matter.
 class LossModel : public FitModel {
  public:
-  LossModel(FitRequest request, bool with_times) : request_(std::move(request)), with_times_(with_times) {}
+  LossModel(const FitRequest& request, bool with_times) : request_(request), with_times_(with_times) {}
   Box box() const override;
   std::vector<Eigen::VectorXd> starts(const std::vector<Measurement>& data) const override;
 

@@ -61,7 +61,7 @@ class RoughHertz {
   static FractionalKelvinVoigt law(std::size_t degree, double log_group) {
     return {1, std::exp(log_group), degrees[degree]};
   }
-  std::array<std::array<double, count>, degrees.size()> en_;
+  std::array<std::array<double, count>, degrees.size()> en_{};
 };
 
 }  // namespace

@@ -75,7 +75,7 @@ const ForwardHertz::Cell& ForwardHertz::cell(std::size_t column, std::size_t row
 
 Reduced ForwardHertz::operator()(double alpha, double log_group) const {
   const double root = std::cbrt(alpha), place = (log_group - low) / width;
-  const double most = root > dashpot_like ? few : count;
+  const auto most = static_cast<double>(root > dashpot_like ? few : count);
   if (!(root >= roots.front() && root < roots.back() && place >= 0 && place < most)) return collided(alpha, log_group);
   const auto column = static_cast<std::size_t>(std::upper_bound(roots.begin(), roots.end(), root) - roots.begin()) - 1;
   const auto row = static_cast<std::size_t>(place);

@@ -62,7 +62,7 @@ console::Figure figure_of(const Source& source, const std::vector<Measurement>& 
     columns.push_back({fit_name(fit->request)});
     curves.push_back({.file = file,
                       .what = fmt::format("1:{}", columns.size()),
-                      .style = fmt::format("lines lt {} lw 2", curves.size()),
+                      .style = fmt::format("lines lt {} lw 2{}", curves.size(), fit == drawn[2] ? " dt 2" : ""),
                       .title = fit == drawn[0] ? "laws of constant restitution" : fit_name(fit->request)});
   }
   Table table(columns);
@@ -75,9 +75,11 @@ console::Figure figure_of(const Source& source, const std::vector<Measurement>& 
   const console::Panel panel{.x = {.label = "impact velocity [m/s]", .log = true},
                              .y = {.label = "restitution", .range = range},
                              .curves = curves};
+  auto plot = console::with_key_below(panel, 3, 0.3);
+  plot.layout->left = 0.15;  // restitutions close to 1 are long words
   return {source.file,
           fmt::format("Laws fitted to {}.", source.label),
-          console::script_of(console::with_key_below(panel, 3, 0.3)),
+          console::script_of(plot),
           {{file, table.csv()}},
           640,
           480,
@@ -202,9 +204,9 @@ Remark on_alumina() {
   for (const NormalRestitution& r : rows) misfit += std::pow((r.en - sum / weights) / r.sigma, 2);
   return {
       "Kharaz et al. 2001",
-      fmt::format("their figures have no e_n; by e_t and the angle of rebound it is {:.3f} +- {:.3f} from {:.1f} to "
-                  "{:.1f} m/s, where the angles are read to {} degrees (chi2 {:.1f} of {}): one number, above what "
-                  "a contact keeps as far as it is above 1, and no e_n(v) to compare laws by",
+      fmt::format("their figures have no e_n; e_t and the angle of rebound leave of it {:.3f} +- {:.3f} from {:.1f} "
+                  "to {:.1f} m/s, where angles are read to {} degrees (chi2 {:.1f} of {}): one number, and no e_n(v) "
+                  "to compare laws by",
                   sum / weights, 1 / std::sqrt(weights), slowest, fastest, reading_error, misfit, rows.size() - 1)};
 }
 
