@@ -124,6 +124,7 @@ VectorXd least_squares(const FitRequest& request, const FitModel& model, const s
   if (!(residuals.best_value < far_off)) throw NotConverged("no start comes near these data");
   for (double before = std::numeric_limits<double>::infinity(); residuals.best_value < before * (1 - 1e-6);) {
     before = residuals.best_value;
+    polish(residuals, box);  // where a start lies near, it is all there is to do, and strays less than a line search
     minimise(residuals, box);
     polish(residuals, box);
   }
