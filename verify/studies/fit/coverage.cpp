@@ -17,7 +17,10 @@ constexpr double mass = paper::pair.impact.mass_eff;
 constexpr int speeds = 12;
 constexpr double en_sigma = 0.01, tcol_share = 0.02;
 /// Of fractional-hertz less noise, as its c goes with e^{10 δα}: errors of the first order are to do for it.
-double noise_of(const FitRequest& request) { return request.law == kind_of<FractionalHertz> ? 0.1 : 1; }
+double noise_of(const FitRequest& request) {
+  if (request.law == kind_of<FractionalHertz>) return 0.1;
+  return 1;
+}
 
 /// α = 1/(1 + e^{−a} v^{−b}), with the k and c of `truth_of`.
 constexpr double a = -0.5, b = 0.3, k = 5000, c = 0.3;
