@@ -1,6 +1,7 @@
 #include "fit_figure.hpp"
 
 #include <console/gnuplot.hpp>
+#include <console/law_colour.hpp>
 #include <console/number.hpp>
 #include <console/table.hpp>
 
@@ -108,6 +109,11 @@ struct Quantity {
   std::size_t offset, stride;
 };
 
+/// That of the first law of the curve.
+std::string colour_of(const Line& curve) {
+  return fmt::format("lc rgb '{}'", console::law_colour(fit_name(curve.fit->request)));
+}
+
 /// What was measured, and every curve.
 console::Panel upper(const Quantity& of, const Table& measured, const std::vector<Line>& curves, bool known,
                      const std::string& key) {
@@ -121,24 +127,26 @@ console::Panel upper(const Quantity& of, const Table& measured, const std::vecto
   for (std::size_t i = 0; i < curves.size(); ++i)
     panel.curves.push_back({.file = "fit_lines.csv",
                             .what = fmt::format("1:{}", 2 + of.offset + i * of.stride),
-                            .style = fmt::format("lines lw 2 lt {}", i + 1),
+                            .style = fmt::format("lines lw 2 {}{}", colour_of(curves[i]),
+                                                 curves[i].fit->request.alpha_of_speed ? " dt 2" : ""),
                             .title = curves[i].title});
   return panel;
 }
 
 /// What the curves leave over.
-console::Panel lower(const Quantity& of, const Table& measured, std::size_t curves, bool known) {
+console::Panel lower(const Quantity& of, const Table& measured, const std::vector<Line>& curves, bool known) {
   std::vector<double> left_over{0};
-  for (std::size_t i = 0; i < curves; ++i)
+  for (std::size_t i = 0; i < curves.size(); ++i)
     for (const double value : column(measured, 5 + of.offset + i * of.stride)) left_over.push_back(value);
   console::Panel panel{
       .x = {.label = "impact velocity [m/s]", .log = true, .range = range_of(column(measured, 0)), .format = "%g"},
       .y = {.label = known ? "residual / standard error" : "residual", .range = range_of(left_over)},
       .curves = {{.what = "0", .style = "lines lc black lw 1"}}};
-  for (std::size_t i = 0; i < curves; ++i)
+  for (std::size_t i = 0; i < curves.size(); ++i)
     panel.curves.push_back({.file = "fit_points.csv",
                             .what = fmt::format("1:{}", 6 + of.offset + i * of.stride),
-                            .style = fmt::format("points pt 7 ps 0.7 lt {}", i + 1)});
+                            .style = fmt::format("points pt {} ps 0.7 {}",
+                                                 curves[i].fit->request.alpha_of_speed ? 6 : 7, colour_of(curves[i]))});
   return panel;
 }
 
@@ -162,7 +170,7 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
                                                .between_rows = 0.05}};
   std::string key = "at screen 0.5,0.01 center bottom vertical maxcols 1";  // the first panel's, for all
   for (const Quantity& q : quantities) plot.panels.push_back(upper(q, measured, curves, known, std::exchange(key, "")));
-  for (const Quantity& q : quantities) plot.panels.push_back(lower(q, measured, curves.size(), known));
+  for (const Quantity& q : quantities) plot.panels.push_back(lower(q, measured, curves, known));
   return {"fit",
           fmt::format("Measured restitution{} against impact velocity with the fitted laws; below, what they leave "
                       "over.",

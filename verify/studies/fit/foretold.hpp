@@ -35,8 +35,8 @@ double chow(const calibration::Fit& all, const calibration::Fit& part);
 /// and forward model are right.
 double share_foretold(int trials);
 
-/// How often the AIC prefers an α that follows the speed to the constant one that made the data: by chance it does where
-/// a χ² of one degree of freedom passes 2, in 15.73 % (S. S. Wilks, Ann. Math. Stat. 9, 60 (1938)).
+/// How often the AIC prefers an α that follows the speed to the constant one that made the data: by chance it does
+/// where a χ² of one degree of freedom passes 2, in 15.73 % (S. S. Wilks, Ann. Math. Stat. 9, 60 (1938)).
 double share_misled(int trials);
 inline constexpr double misled_by_chance = 0.157299;
 

@@ -6,6 +6,7 @@
 
 #include <console/exit.hpp>
 #include <console/gnuplot.hpp>
+#include <console/law_colour.hpp>
 #include <console/number.hpp>
 #include <console/progress.hpp>
 
@@ -49,6 +50,11 @@ Table table_of(const Source& source, const std::vector<Fit>& fits) {
   return table;
 }
 
+/// A line that another one may lie on is dashed, and so is the second of a colour.
+const char* dashes(const Fit& fit) {
+  return fit.request.law == kind_of<FractionalHertz> || fit.request.alpha_of_speed ? " dt 2" : "";
+}
+
 console::Figure figure_of(const Source& source, const std::vector<Measurement>& data, const std::vector<Fit>& fits) {
   const std::string file = source.file + ".csv";
   std::vector<console::Column> columns{{"velocity", "m/s"}, {"en"}};
@@ -60,10 +66,11 @@ console::Figure figure_of(const Source& source, const std::vector<Measurement>& 
                          &fit_of(fits, kind_of<FractionalHertz>), &fit_of(fits, kind_of<Fractional>, true)};
   for (const Fit* fit : drawn) {
     columns.push_back({fit_name(fit->request)});
-    curves.push_back({.file = file,
-                      .what = fmt::format("1:{}", columns.size()),
-                      .style = fmt::format("lines lt {} lw 2{}", curves.size(), fit == drawn[2] ? " dt 2" : ""),
-                      .title = fit == drawn[0] ? "laws of constant restitution" : fit_name(fit->request)});
+    curves.push_back(
+        {.file = file,
+         .what = fmt::format("1:{}", columns.size()),
+         .style = fmt::format("lines lc rgb '{}' lw 2{}", console::law_colour(fit_name(fit->request)), dashes(*fit)),
+         .title = fit == drawn[0] ? "laws of constant restitution" : fit_name(fit->request)});
   }
   Table table(columns);
   for (std::size_t i = 0; i < data.size(); ++i) {
