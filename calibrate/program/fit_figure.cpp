@@ -109,6 +109,15 @@ struct Quantity {
   std::size_t offset, stride;
 };
 
+/// The title as far as a key has room for it.
+std::string key_of(const Line& curve) {
+  constexpr std::size_t room = 60;
+  if (curve.title.size() <= room) return curve.title;
+  const std::size_t end = curve.title.rfind(';', room);
+  const auto more = std::count(curve.title.begin() + static_cast<std::ptrdiff_t>(end), curve.title.end(), ';');
+  return fmt::format("{} and {} more", curve.title.substr(0, end), more);
+}
+
 /// That of the first law of the curve.
 std::string colour_of(const Line& curve) {
   return fmt::format("lc rgb '{}'", console::law_colour(fit_name(curve.fit->request)));
@@ -129,7 +138,7 @@ console::Panel upper(const Quantity& of, const Table& measured, const std::vecto
                             .what = fmt::format("1:{}", 2 + of.offset + i * of.stride),
                             .style = fmt::format("lines lw 2 {}{}", colour_of(curves[i]),
                                                  curves[i].fit->request.alpha_of_speed ? " dt 2" : ""),
-                            .title = curves[i].title});
+                            .title = key_of(curves[i])});
   return panel;
 }
 
@@ -162,7 +171,7 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
   const Table measured = points(curves, data, times);
   console::Plot plot{.layout = console::Layout{.rows = 2,
                                                .columns = static_cast<int>(quantities.size()),
-                                               .left = times ? 0.09 : 0.12,
+                                               .left = times ? 0.09 : 0.14,
                                                .right = times ? 0.98 : 0.97,
                                                .bottom = foot,
                                                .top = 0.97,
