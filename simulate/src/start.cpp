@@ -3,6 +3,7 @@
 #include <console/exit.hpp>
 #include <console/input.hpp>
 #include <console/number.hpp>
+#include <console/progress.hpp>
 
 #include <fmt/format.h>
 
@@ -157,7 +158,8 @@ std::string read_start(const Node& node, const std::string& scene_file, const Ma
   const std::size_t count = count_of(frame.next(), frame);
   Frame reader(frame, materials);
   scene.setup.spheres.reserve(scene.setup.spheres.size() + count);
-  for (std::size_t k = 0; k < count; ++k) scene.setup.spheres.push_back(reader.sphere());
+  console::Progress progress("read " + path, count);
+  for (std::size_t k = 0; k < count; ++k, progress.advance()) scene.setup.spheres.push_back(reader.sphere());
   return used;
 }
 

@@ -1,4 +1,5 @@
 // Walls of every form, periodic space, starts, and spheres that come and go: from the scene to the files.
+#include "../../simulate/src/state_file.hpp"
 #include "complaints.hpp"
 #include "console/temporary_folder.hpp"
 
@@ -317,8 +318,9 @@ TEST_CASE("a run that pours and loses spheres goes on to the same bytes wherever
   for (const double share : {0.2, 0.45, 0.8, 1.0}) {
     shorter.steps = static_cast<std::uint64_t>(share * static_cast<double>(scene.steps));
     if (fs::exists(parts / "state.json")) {
-      std::string state = read_file(parts / "state.json");
-      state.replace(state.find("\"complete\":true"), 15, "\"complete\":false");
+      console::Json state = console::Json::parse(read_file(parts / "state.json"));
+      state.at("complete") = false;
+      state.at("checksum") = checksum(state);
       std::ofstream(parts / "state.json") << state;
     }
     REQUIRE(run(
