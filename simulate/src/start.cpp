@@ -13,7 +13,9 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string_view>
+#include <utility>
 
 namespace ricochet::simulate {
 namespace {
@@ -70,13 +72,20 @@ std::map<std::string, std::size_t, std::less<>> columns_of(std::string_view comm
     else
       parts.back() += c;
   std::size_t column = 0;
+  std::set<std::string, std::less<>> vectors;
   for (std::size_t k = 0; k + 2 < parts.size(); k += 3) {
-    columns.emplace(parts[k], column);
-    column += console::parse_number(parts[k + 2]) == 3.0 ? 3 : 1;
+    const bool vector = console::parse_number(parts[k + 2]) == 3.0;
+    if (columns.emplace(parts[k], column).second && vector) vectors.insert(parts[k]);
+    column += vector ? 3 : 1;
   }
-  for (const char* const needed : {"species", "pos", "radius", "mass", "velo", "angular_velocity"})
+  for (const auto& [needed, vector] :
+       {std::pair("species", false), std::pair("pos", true), std::pair("radius", false), std::pair("mass", false),
+        std::pair("velo", true), std::pair("angular_velocity", true)}) {
     if (!columns.contains(needed))
       lines.complain(fmt::format("no property \"{}\"; it must be a trajectory that simulate wrote", needed));
+    if (vectors.contains(needed) != vector)
+      lines.complain(fmt::format("property \"{}\": must be of {}", needed, vector ? "3 columns" : "1 column"));
+  }
   columns.emplace("", column);  // the number of words
   return columns;
 }
