@@ -209,7 +209,10 @@ struct Lammps {
     return absent("NOT WRITTEN: pair_style granular of this version has no plastic loading and unloading.");
   }
 
-  Body operator()(const Fractional&) const { return no_memory("LAMMPS"); }
+  template <RemembersAll Law>
+  Body operator()(const Law&) const {
+    return no_memory("LAMMPS", Law::name);
+  }
 
   /// Any law of which nothing is said above.
   template <class Law>

@@ -244,6 +244,11 @@ struct Liggghts {
     return body;
   }
 
+  template <RemembersAll Law>
+  Body operator()(const Law&) const {
+    return no_memory("LIGGGHTS", Law::name);
+  }
+
   /// Any law of which nothing is said above.
   template <class Law>
   Body operator()(const Law&) const {

@@ -133,7 +133,10 @@ struct MercuryDpm {
             })};
   }
 
-  Body operator()(const Fractional&) const { return no_memory("MercuryDPM"); }
+  template <RemembersAll Law>
+  Body operator()(const Law&) const {
+    return no_memory("MercuryDPM", Law::name);
+  }
 
   /// Any law of which nothing is said above.
   template <class Law>

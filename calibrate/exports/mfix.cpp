@@ -159,7 +159,10 @@ DES_ET_WALL_INPUT(1) = 1.0
 
   Body operator()(const Hysteretic&) const { return absent("NOT WRITTEN: MFiX has no plastic loading and unloading."); }
 
-  Body operator()(const Fractional&) const { return no_memory("MFiX"); }
+  template <RemembersAll Law>
+  Body operator()(const Law&) const {
+    return no_memory("MFiX", Law::name);
+  }
 
   /// Any law of which nothing is said above.
   template <class Law>

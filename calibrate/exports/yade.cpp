@@ -222,7 +222,10 @@ struct Yade {
                      "ip2 = Ip2_LudingMat_LudingMat_LudingPhys()\nlaw2 = Law2_ScGeom_LudingPhys_Basic()\n"};
   }
 
-  Body operator()(const Fractional&) const { return no_memory("Yade"); }
+  template <RemembersAll Law>
+  Body operator()(const Law&) const {
+    return no_memory("Yade", Law::name);
+  }
 
   /// Any law of which nothing is said above.
   template <class Law>

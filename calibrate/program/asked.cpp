@@ -37,6 +37,7 @@ class Reader {
   ScaleGiven scale_given() const;
   Scale scale(ScaleGiven given, const Bodies& bodies) const;
   Loss loss() const;
+  Held held() const;
   /// Beside tcol.
   Number held_stiffness() const {
     return asked_.stiffness ? Number(positive("stiffness", *asked_.stiffness)) : std::nullopt;
@@ -234,7 +235,7 @@ Scale Reader::scale(ScaleGiven given, const Bodies& bodies) const {
 Loss Reader::loss() const {
   const Asked& a = asked_;
   const std::array losses{Given{"en", a.en}, Given{"loss_factor", a.loss_factor},
-                          Given{"damping_ratio", a.damping_ratio}, Given{"alpha", a.alpha}};
+                          Given{"damping_ratio", a.damping_ratio}, Given{"alpha", holds_alpha(a) ? Number() : a.alpha}};
   const auto one = the_one(losses, "loss");
   if (!one)
     missing("en", fmt::format("a restitution in (0, 1], or another loss: {}, {}, {}", named("loss_factor"),
@@ -247,7 +248,23 @@ Loss Reader::loss() const {
   }
 }
 
+Held Reader::held() const {
+  Held held;
+  if (holds_alpha(asked_))
+    held.alpha = within("alpha", *asked_.alpha, domains::degree.contains(*asked_.alpha), domains::degree.accepted);
+  if (asked_.stiffening) held.stiffening = positive("stiffening", *asked_.stiffening);
+  return held;
+}
+
 }  // namespace
+
+bool holds_alpha(const Asked& asked) { return asked.alpha && (asked.en || asked.loss_factor || asked.damping_ratio); }
+
+void refuse_second_loss(const Asked& asked, Spelling spelling) {
+  const std::string_view first = asked.en ? "en" : asked.loss_factor ? "loss_factor" : "damping_ratio";
+  throw BadInput(spelled(spelling, "alpha"), shortest(*asked.alpha),
+                 fmt::format("left out with {}: one loss is enough", spelled(spelling, first)));
+}
 
 std::string spelled(Spelling spelling, std::string_view name) {
   if (spelling == Spelling::columns) return std::string(name);
@@ -284,7 +301,7 @@ Reading read(const Asked& asked, Spelling spelling) {
   const Loss loss = reader.loss();
   const double velocity = reader.velocity();
   reading.bodies = reader.bodies();
-  reading.known = {reader.scale(given, reading.bodies), loss, {velocity, reading.bodies.mass_eff}};
+  reading.known = {reader.scale(given, reading.bodies), loss, {velocity, reading.bodies.mass_eff}, reader.held()};
   if (asked.tcol) reading.stiffness = reader.held_stiffness();
   if (given == Reader::ScaleGiven::stiffness) reading.spring = asked.spring;
   return reading;

@@ -23,7 +23,7 @@ enum class Spring {
 struct Asked {
   std::optional<double> tcol, stiffness, young, poisson, young2, poisson2, soften, max_overlap, overlap_share, timestep,
       steps;
-  std::optional<double> en, loss_factor, damping_ratio, alpha;
+  std::optional<double> en, loss_factor, damping_ratio, alpha, stiffening;
   std::optional<double> beta0, mu;
   std::optional<double> velocity, mass_eff, radius, diameter, density, radius2, diameter2, density2;
   bool wall = false;
@@ -32,8 +32,9 @@ struct Asked {
   std::optional<TangentialForm> form = {};  ///< of the tangential law
 };
 
-/// What a number of `Asked` is about; of `scale` and `loss` one is enough.
-enum class Topic { scale, loss, impact, tangential };
+/// What a number of `Asked` is about; of `scale` and `loss` one is enough, but for an alpha beside another loss, which
+/// is then held.
+enum class Topic { scale, loss, held, impact, tangential };
 
 /// A number of `Asked`: its name in files (a flag has two dashes before it and one for each underscore), its unit,
 /// whether flags take a list of it, what it means, and other names that columns have for it.
@@ -57,7 +58,8 @@ inline constexpr std::string_view hertzian_unit = "kg/(s^2 m^(1/2))";
 inline constexpr std::array fields{
     Field{"tcol", "s", &Asked::tcol, Topic::scale, true, "collision time to reach", "t_c,t_col,collision time"},
     Field{"stiffness", "kg/s^2", &Asked::stiffness, Topic::scale, true,
-          "the law's stiffness, in its own unit; beside --tcol the k that the fractional law holds"},
+          "the law's stiffness, in its own unit; beside --tcol the k that fractional holds, and "
+          "fractional-kelvin-voigt, whose alpha then follows"},
     Field{"young", "Pa", &Asked::young, Topic::scale, true, "Young's modulus, with --poisson"},
     Field{"poisson", "", &Asked::poisson, Topic::scale, false, "Poisson's ratio", {}, false},
     Field{"young2", "Pa", &Asked::young2, Topic::scale, false, "of the other body or the wall (default --young)"},
@@ -79,7 +81,17 @@ inline constexpr std::array fields{
     Field{"loss_factor", "", &Asked::loss_factor, Topic::loss, true, "tan delta of the material (fractional)"},
     Field{"damping_ratio", "", &Asked::damping_ratio, Topic::loss, true,
           "c/(2 sqrt(m k)) (linear), c/sqrt(5 m k) (tsuji)"},
-    Field{"alpha", "", &Asked::alpha, Topic::loss, true, "conversion degree (fractional), in [0, 1)"},
+    Field{"alpha", "", &Asked::alpha, Topic::loss, true,
+          "conversion degree (fractional), in [0, 1); beside another loss what the laws of real solids hold, in [0, 1] "
+          "(default 0.5)"},
+    Field{"stiffening",
+          "",
+          &Asked::stiffening,
+          Topic::held,
+          true,
+          "k1/k that fractional-zener holds (default 100)",
+          {},
+          false},
     Field{"velocity", "m/s", &Asked::velocity, Topic::impact, true, "impact velocity (default 0.5)",
           "v,v0,speed,impact velocity"},
     Field{"mass_eff", "kg", &Asked::mass_eff, Topic::impact, true, "effective mass m1 m2/(m1+m2) (default 7.06858e-6)"},
@@ -113,7 +125,7 @@ struct Bodies {
 struct Reading {
   Known known;
   Bodies bodies;
-  std::optional<double> stiffness;       ///< beside tcol: the k that the fractional law holds
+  std::optional<double> stiffness;       ///< beside tcol: the k that is held, see `holds_stiffness`
   Spring spring = Spring::any;           ///< of the stiffness that is the scale
   std::vector<std::string> assumptions;  ///< in words
 };
@@ -140,6 +152,11 @@ bool fits(Spring spring, LawKind law);
 std::string stated(double stiffness, Spring spring);
 /// "in kg/s^2, …, as the law linear has its k": what a stiffness of that law must be in.
 std::string spring_of(LawKind law);
+
+/// Is an α given that is no loss, as another one is?
+bool holds_alpha(const Asked& asked);
+/// That there is no law to hold it.
+[[noreturn]] void refuse_second_loss(const Asked& asked, Spelling spelling);
 
 /// Are there numbers of that topic?
 bool speaks_of(const Asked& asked, Topic topic);

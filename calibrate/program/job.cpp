@@ -58,17 +58,60 @@ std::string in_words(std::string_view name) {
   return words;
 }
 
+/// Why a law has not such a loss.
+std::string lack_of(const Loss& loss, LawKind law) {
+  if (holds_degree(law) && std::holds_alternative<loss::ConversionDegree>(loss))
+    return "its alpha is held beside a loss; give --en as well";
+  if (holds_degree(law) && std::holds_alternative<loss::LossFactor>(loss))
+    return fmt::format("its loss factor goes with the frequency; {} has one", laws_with(loss));
+  return fmt::format("it has no {}; {} has", in_words(name(loss)), laws_with(loss));
+}
+
 /// A loss that only some laws have.
 bool takes_loss(Job& job, const Options& o, LawKind law) {
   const Loss& loss = job.known.loss;
   if (has_loss(law, loss)) return true;
   const std::string flag = spelled(Spelling::flags, name(loss));
   if (alone(o))
-    throw BadInput(fmt::format("{}: must be left out with --law {}; {} has one", flag, o.law, laws_with(loss)));
-  for (const auto end : ends_of(o, law))
-    job.left_out.push_back(
-        left_out(law, end, fmt::format("it has no {}; {} has", in_words(name(loss)), laws_with(loss))));
+    throw BadInput(holds_degree(law)
+                       ? fmt::format("{}: must be left out with --law {}: {}", flag, o.law, lack_of(loss, law))
+                       : fmt::format("{}: must be left out with --law {}; {} has one", flag, o.law, laws_with(loss)));
+  for (const auto end : ends_of(o, law)) job.left_out.push_back(left_out(law, end, lack_of(loss, law)));
   return false;
+}
+
+/// t_col, e_n, k and α are one number too many.
+bool takes_degree(Job& job, const Options& o, LawKind law) {
+  if (law != kind_of<FractionalKelvinVoigt> || !job.stiffness || !o.asked.alpha) return true;
+  if (alone(o))
+    throw BadInput("--alpha", shortest(*o.asked.alpha), "left out with --tcol, --en and --stiffness, which set it");
+  for (const auto end : ends_of(o, law))
+    job.left_out.push_back(left_out(law, end, "--tcol, --en and --stiffness set its alpha; leave --alpha out"));
+  return false;
+}
+
+std::string listed(const std::vector<std::string_view>& names) {
+  if (names.size() == 1) return std::string(names.front());
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
+/// What of the laws that are wanted is held, where it is not given; and nothing may be given that none of them holds.
+void take_held(Job& job, const Options& o) {
+  std::vector<std::string_view> degree, stiffening;
+  for (const Wanted& w : job.wanted) {
+    const bool follows = w.law == kind_of<FractionalKelvinVoigt> && job.stiffness;
+    if (holds_degree(w.law) && !follows && (degree.empty() || degree.back() != w.law.name()))
+      degree.push_back(w.law.name());
+    if (w.law == kind_of<FractionalZener>) stiffening.push_back(w.law.name());
+  }
+  if (holds_alpha(o.asked) && degree.empty()) refuse_second_loss(o.asked, Spelling::flags);
+  if (o.asked.stiffening && stiffening.empty())
+    throw BadInput("--stiffening", shortest(*o.asked.stiffening), "left out without --law fractional-zener or all");
+  if (!o.asked.alpha && !degree.empty())
+    job.assumptions.push_back(fmt::format("alpha = {} of {} (--alpha)", shortest(Held{}.alpha), listed(degree)));
+  if (!o.asked.stiffening && !stiffening.empty())
+    job.assumptions.push_back(
+        fmt::format("k1/k = {} of {} (--stiffening)", shortest(Held{}.stiffening), listed(stiffening)));
 }
 
 /// A stiffness whose unit was stated is one of a spring in ζ or in ζ^{3/2}.
@@ -114,11 +157,13 @@ std::map<std::string, double, std::less<>> values_with(const std::string& text, 
   return values;
 }
 
+bool has_degree(LawKind law) { return law == kind_of<Fractional> || holds_degree(law); }
+
 AnyLaw law_with(const Options& o) {
   if (!alone(o)) throw BadInput("--law: missing: must be one law with --with");
   const LawKind law = law_named("--law", o.law);
   auto by_name = values_with(o.with, law);
-  if (law == kind_of<Fractional> && o.asked.alpha) {
+  if (has_degree(law) && o.asked.alpha) {
     if (!by_name.emplace("alpha", *o.asked.alpha).second)
       throw BadInput("--alpha", shortest(*o.asked.alpha), "left out with alpha in --with");
   }
@@ -139,8 +184,8 @@ Job forward_job(const Options& o) {
   Job job;
   job.given = law_with(o);
   Asked asked = o.asked;
-  if (o.law == kind_of<Fractional>.name()) asked.alpha.reset();
-  for (const Topic topic : {Topic::scale, Topic::loss})
+  if (has_degree(LawKind::of(*job.given))) asked.alpha.reset();
+  for (const Topic topic : {Topic::scale, Topic::loss, Topic::held})
     if (speaks_of(asked, topic))
       for (const Field& f : fields)
         if (f.topic == topic && (asked.*f.member || (f.member == &Asked::max_overlap && asked.overlap_share)))
@@ -171,6 +216,10 @@ std::string text_of(const scale::Moduli& m) {
 }  // namespace
 
 std::string law_names() { return joined(Laws::names); }
+
+bool holds_stiffness(LawKind law) noexcept {
+  return law == kind_of<Fractional> || law == kind_of<FractionalKelvinVoigt>;
+}
 
 std::string laws_with(const Loss& loss) {
   std::vector<std::string_view> names;
@@ -236,6 +285,10 @@ void take_load(Job& job, const Options& o) {
                       std::holds_alternative<loss::Restitution>(job.known.loss)))
     throw BadInput("--load", shortest(*o.load), "with --tcol and --en, or with --with");
   if (o.end == text(ContactEnd::overlap)) throw BadInput("--end", o.end, "force with --load");
+  const auto follows = [&](const Wanted& w) { return w.law == kind_of<FractionalKelvinVoigt> && job.stiffness; };
+  if (alone(o) && !job.wanted.empty() && follows(job.wanted.front()))
+    throw BadInput("--stiffness", shortest(*job.stiffness), fmt::format("left out with --load and --law {}", o.law));
+  std::erase_if(job.wanted, follows);
   job.load = o.load;
   std::erase_if(job.wanted, [](const Wanted& w) { return w.end == ContactEnd::overlap; });
 }
@@ -252,11 +305,12 @@ Job job_of(const Options& o) {
   job.tangential = tangential_of(o.asked, Spelling::flags, job.known.scale);
   if (job.stiffness && !fits(o.asked.spring, kind_of<Linear>))
     throw BadInput("--stiffness", stated(*job.stiffness, o.asked.spring), spring_of(kind_of<Fractional>));
-  if (job.stiffness && alone(o) && o.law != kind_of<Fractional>.name())
+  if (job.stiffness && alone(o) && !holds_stiffness(law_named("--law", o.law)))
     throw BadInput("--stiffness", shortest(*job.stiffness),
-                   fmt::format("left out with --law {}; only fractional holds a k", o.law));
+                   fmt::format("left out with --law {}; {}", o.law, who_holds_stiffness));
   for (const auto law : laws_of(o))
-    if (takes_loss(job, o, law) && takes_stiffness(job, o, law)) add_wanted(job, o, law);
+    if (takes_loss(job, o, law) && takes_stiffness(job, o, law) && takes_degree(job, o, law)) add_wanted(job, o, law);
+  take_held(job, o);
   const bool holds = !job.stiffness && !stiffness(kind_of<Fractional>, job.known.scale, job.known.impact);
   if (holds &&
       std::any_of(job.wanted.begin(), job.wanted.end(), [](const Wanted& w) { return w.law == kind_of<Fractional>; }))

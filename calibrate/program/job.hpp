@@ -65,7 +65,7 @@ struct Wanted {
 struct Job {
   Known known;                       ///< scale and loss: of a calibration; the impact: always
   std::optional<AnyLaw> given = {};  ///< the law of --with, whose collision alone is asked for
-  std::optional<double> stiffness;   ///< beside a collision time: the k that the fractional law holds
+  std::optional<double> stiffness;   ///< beside a collision time: the k that is held, see `holds_stiffness`
   Spring spring = Spring::any;       ///< of the stiffness that is the scale
   std::vector<Wanted> wanted;
   std::vector<Infeasible> left_out;  ///< laws of "all" that do not offer the asked end, loss or stiffness
@@ -103,6 +103,9 @@ std::string law_names();
 /// The law of that name; throws console::BadInput with `flag`.
 LawKind law_named(std::string_view flag, std::string_view name);
 ContactEnd end_named(std::string_view flag, std::string_view name);
+/// Does a stiffness beside a collision time and a restitution mean a k of that law?
+bool holds_stiffness(LawKind law) noexcept;
+inline constexpr std::string_view who_holds_stiffness = "only fractional and fractional-kelvin-voigt hold a k";
 /// The laws that have such a loss: "linear or tsuji".
 std::string laws_with(const Loss& loss);
 

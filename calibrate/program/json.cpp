@@ -57,6 +57,15 @@ Json target_of(const Job& job) {
   return out;
 }
 
+/// What was held of a law of real solids: its α, or the k by which α was found; and Zener's k1/k.
+Json held_of(const Calibration& r) {
+  const Request& request = r.request;
+  if (request.stiffness) return {{"k", *request.stiffness}};
+  Json out{{"alpha", request.held.alpha}};
+  if (request.law == kind_of<FractionalZener>) out["k1/k"] = request.held.stiffening;
+  return out;
+}
+
 /// How the parameters were found: nothing where they were given.
 void add_search(Json& out, const Calibration& r) {
   out["evaluations"] = r.evaluations;
@@ -80,6 +89,7 @@ Json json_of(const Calibration& r, bool given) {
   if (r.tcol_estimate) out["tcol_estimate"] = *r.tcol_estimate;
   if (!given) add_search(out, r);
   out["identifiable"] = identifiable_names(r.law);
+  if (!given && holds_degree(LawKind::of(r.law))) out["held"] = held_of(r);
   if (!r.remarks.empty()) out["remarks"] = r.remarks;
   if (const auto& u = r.under_load)
     out["under_load"] = {{"load", u->load}, {"least_velocity", u->least_velocity}, {"clears", u->clears}};

@@ -55,7 +55,7 @@ Material read_material(const Node& node, const std::string& name, const Material
     m.solid = ElasticSolid{scale(node.at("young")), within(node.at("poisson"), -0.99, 0.5, "in [-0.99, 0.5]")};
   if (!node.has("stiffness")) return m;
   if (m.solid) node.at("stiffness").reject("left out with young and poisson");
-  if (of.law == kind_of<KuwabaraKono> || of.law == kind_of<Tsuji>)
+  if (of.law.parameters().front().dimension.metre != 0)
     node.at("stiffness")
         .reject(fmt::format("left out with the law {}, whose k goes with the radius; give young and "
                             "poisson",
@@ -131,8 +131,16 @@ void read_pairs(const Node& root, Materials& materials) {
 }
 
 void read_law(const Node& node, Materials& materials) {
-  node.allow({"name", "end"});
+  node.allow({"name", "end", "alpha", "stiffening"});
   materials.law = *LawKind::named(node.at("name").one_of(Laws::names));
+  const auto refuse_unless = [&](bool held, const char* key) {
+    if (node.has(key) && !held) node.at(key).reject(fmt::format("left out with the law {}", materials.law.name()));
+    return node.has(key);
+  };
+  if (refuse_unless(holds_degree(materials.law), "alpha"))
+    materials.held.alpha = within(node.at("alpha"), 0, 1, "in [0, 1]");
+  if (refuse_unless(materials.law == kind_of<FractionalZener>, "stiffening"))
+    materials.held.stiffening = scale(node.at("stiffening"));
   if (!node.has("end")) return;
   if (node.at("end").one_of({"force", "overlap"}) == "overlap") materials.end = ContactEnd::overlap;
   if (!materials.law.ends().offer(materials.end))

@@ -122,6 +122,7 @@ void group_options(CLI::App& app) {
   of_topic(Topic::scale, "Scale, one of: --tcol, --stiffness, --young, --max-overlap, --timestep");
   app.get_option("--match")->group("Scale, one of: --tcol, --stiffness, --young, --max-overlap, --timestep");
   of_topic(Topic::loss, "Loss, one of");
+  of_topic(Topic::held, "Loss, one of");
   of_topic(Topic::impact, "Impact");
   of_topic(Topic::tangential, "Tangential");
   const std::pair<const char*, std::vector<const char*>> groups[] = {

@@ -40,6 +40,10 @@ struct Curves {
       moments.push_back({points[i].time, points[i].overlap, points[i].rate, points[i].force});
     return moments;
   }
+  template <RemembersAll Law>
+  std::vector<console::Moment> operator()(const Law& law) const {
+    return (*this)(arms_of_collision(law, tcol));
+  }
   std::vector<console::Moment> operator()(const Fractional& law) const {
     constexpr int samples = 200;
     const FractionalTrajectory motion(law.coefficient(), law.alpha(), target.impact.mass_eff, target.impact.velocity);

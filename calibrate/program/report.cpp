@@ -15,7 +15,7 @@ Outcome outcome_of(const Job& job, const Wanted& wanted, const Settings& setting
   const auto asked = request_of(wanted.law, wanted.end, job.known);
   if (const auto* missed = std::get_if<Infeasible>(&asked)) return *missed;
   Request request = std::get<Request>(asked);
-  if (wanted.law == kind_of<Fractional> && job.stiffness) request.stiffness = job.stiffness;
+  if (holds_stiffness(wanted.law) && job.stiffness) request.stiffness = job.stiffness;
   Outcome outcome = job.load ? calibrate_under_load(request, *job.load, settings) : calibrate(request, settings);
   if (const auto* missed = std::get_if<Infeasible>(&outcome)) return in_terms_of(*missed, job.known.loss);
   return outcome;

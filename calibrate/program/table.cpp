@@ -49,6 +49,20 @@ void note_fractional(Table& table, const Calibration& r) {
                     end_of(r), console::significant(law->coefficient(), 9)));
 }
 
+/// What was held of a law of real solids.
+void note_held(Table& table, const Calibration& r) {
+  const Request& request = r.request;
+  const std::string which = fmt::format("{}, ended by {}", law_of(r), end_of(r)),
+                    alpha = console::significant(request.held.alpha, 9);
+  if (request.stiffness)
+    table.note(fmt::format("{}: tcol, en and the k that is held leave alpha = {}", which, alpha));
+  else if (request.law == kind_of<FractionalZener>)
+    table.note(fmt::format("{}: alpha = {} and k1/k = {} are held; tcol and en tell k and tau", which, alpha,
+                           console::shortest(request.held.stiffening)));
+  else
+    table.note(fmt::format("{}: alpha = {} is held; tcol and en tell k and c", which, alpha));
+}
+
 /// Where e_n stops being defined, and what its number does not say.
 void note_load(Table& table, const Calibration& r) {
   const UnderLoad& u = *r.under_load;
@@ -86,6 +100,8 @@ Table collision_table(const Report& report) {
     table.row(row);
   }
   for (const auto& r : report.results) note_fractional(table, r);
+  for (const auto& r : report.results)
+    if (!report.job.given && holds_degree(r.request.law)) note_held(table, r);
   for (const auto& r : report.results)
     if (r.under_load) note_load(table, r);
   for (const auto& r : report.results)

@@ -59,7 +59,11 @@ Asked scale_defaults(const Asked& own, const Asked& defaults) {
 /// radii or the other way round.
 Asked with_defaults(const Asked& own, Asked defaults) {
   if (speaks_of(own, Topic::scale)) defaults = scale_defaults(own, defaults);
-  if (speaks_of(own, Topic::loss)) defaults = without(defaults, Topic::loss);
+  if (speaks_of(own, Topic::loss)) {
+    const auto held = defaults.alpha;  // where the law of the row holds one
+    defaults = without(defaults, Topic::loss);
+    defaults.alpha = held;
+  }
   if (own.mass_eff) {
     defaults.radius = defaults.diameter = defaults.density = defaults.radius2 = defaults.diameter2 = defaults.density2 =
         std::nullopt;
@@ -99,8 +103,8 @@ TargetRows::TargetRows(std::string file, const console::CsvHead& head, const Tar
   Asked but_velocity = defaults_.asked;
   but_velocity.velocity.reset();
   nothing_by_default_ = !defaults_.asked.wall && !speaks_of(but_velocity, Topic::scale) &&
-                        !speaks_of(but_velocity, Topic::loss) && !speaks_of(but_velocity, Topic::impact) &&
-                        !speaks_of(but_velocity, Topic::tangential);
+                        !speaks_of(but_velocity, Topic::loss) && !speaks_of(but_velocity, Topic::held) &&
+                        !speaks_of(but_velocity, Topic::impact) && !speaks_of(but_velocity, Topic::tangential);
   if (defaults_.asked.form == TangentialForm::mindlin)
     throw BadInput("--tangential", "mindlin", "linear or linear-undamped with --targets");
   for (const auto member : {&Asked::beta0, &Asked::mu})
@@ -228,20 +232,43 @@ std::optional<Infeasible> TargetRows::add_tangential(Row& row, const Scale& scal
   return std::nullopt;
 }
 
+/// What is held is for laws that hold it: of the defaults the others leave it, in their row it is a number too many.
+void TargetRows::leave_unheld(Row& row, LawKind kind) const {
+  Asked& asked = *row.asked;
+  const auto own = [&](std::optional<double> Asked::*member) { return !row.text[place_of(member)].empty(); };
+  const auto leave = [&](std::optional<double> Asked::*member) {
+    (asked.*member).reset();
+    row.taken &= ~bit(place_of(member));
+  };
+  const bool follows = kind == kind_of<FractionalKelvinVoigt> && asked.tcol && asked.stiffness;
+  if (holds_alpha(asked) && (follows || !holds_degree(kind))) {
+    if (own(&Asked::alpha) && follows)
+      throw BadInput("alpha", console::shortest(*asked.alpha), "left out with tcol, en and stiffness, which set it");
+    if (own(&Asked::alpha)) refuse_second_loss(asked, Spelling::columns);
+    leave(&Asked::alpha);
+  }
+  if (kind == kind_of<FractionalZener> || !asked.stiffening) return;
+  if (own(&Asked::stiffening))
+    throw BadInput("stiffening", console::shortest(*asked.stiffening),
+                   fmt::format("left out with the law {}", kind.name()));
+  leave(&Asked::stiffening);
+}
+
 std::variant<AnyLaw, Infeasible> TargetRows::calibrated(Row& row) const {
   row.asked = asked_by(row);
   for (const std::size_t word : {law, end})
     if (row.text[word].empty()) row.taken |= bit(word);
   std::vector<std::string> unsaid;
   row.mass_eff = bodies_of(*row.asked, Spelling::columns, unsaid).mass_eff;  // told also where the row fails
-  const Reading reading = calibration::read(*row.asked, Spelling::columns);
   const LawKind kind = row.text[law].empty() ? defaults_.law : law_named("law", row.text[law]);
+  leave_unheld(row, kind);
+  const Reading reading = calibration::read(*row.asked, Spelling::columns);
   const ContactEnd by = row.text[end].empty() ? defaults_.end : end_named("end", row.text[end]);
   if (row.asked->young && fits(Spring::linear, kind)) row.taken |= bit(match);
   if (!kind.ends().offer(by)) throw BadInput("end", text(by), fmt::format("force with the law {}", kind.name()));
-  if (reading.stiffness && !defaults_.asked.stiffness && kind != kind_of<Fractional>)
+  if (reading.stiffness && !defaults_.asked.stiffness && !holds_stiffness(kind))
     throw BadInput("stiffness", console::shortest(*reading.stiffness),
-                   fmt::format("left out with tcol and the law {}; only fractional holds a k", kind.name()));
+                   fmt::format("left out with tcol and the law {}; {}", kind.name(), who_holds_stiffness));
   if (!fits(reading.stiffness ? row.asked->spring : reading.spring,
             reading.stiffness ? LawKind(kind_of<Fractional>) : kind))
     throw BadInput("stiffness", stated(*row.asked->stiffness, row.asked->spring), spring_of(kind));

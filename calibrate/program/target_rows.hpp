@@ -66,6 +66,7 @@ class TargetRows {
   void stiffness(std::size_t column, std::string_view text, Asked& own) const;
   void numbers(const Row& row, Asked& own) const;
   Asked asked_by(Row& row) const;
+  void leave_unheld(Row& row, LawKind kind) const;
   std::variant<AnyLaw, Infeasible> calibrated(Row& row) const;
   void write(std::string& out, const Row& row, std::string_view status, const AnyLaw* law) const;
 

@@ -63,7 +63,7 @@ class Complaints {
 
 void refuse_what_is_not_for_files(const Options& o) {
   take_only(o, "--targets",
-            flags_of({Topic::scale, Topic::loss, Topic::impact, Topic::tangential},
+            flags_of({Topic::scale, Topic::loss, Topic::held, Topic::impact, Topic::tangential},
                      {"--targets", "--law", "--end", "--match", "--wall", "--tangential", "--method", "--threads",
                       "--format", "--output"}));
   if (o.method == "nlopt") throw BadInput("--method", o.method, "direct with --targets");

@@ -100,10 +100,12 @@ struct Stepped {
     return worst_error(
         target, [&](double lead) { return stepped_restitution(law, end, target.impact, h, lead, patience * steps); });
   }
-  double operator()(const Fractional& law) const {
+  template <RemembersAll Law>
+  double operator()(const Law& law) const {
+    using Arms = typename Law::Arms;
     const double h = target.tcol / steps;
     const MemoryWindow window{h, 10 * target.tcol, 1e-6};
-    return (*this)(FractionalArms(law, affordable_kernel(law.alpha(), window, FractionalArms::max_arms), h));
+    return (*this)(Arms(law, affordable_kernel(law.alpha(), window, Arms::max_kernel_arms), h));
   }
 };
 
@@ -192,12 +194,15 @@ std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Ta
   if (fractional && end == ContactEnd::force)
     add_steps(all, "liggghts-ricochet", step_errors(law, end, target, Stepping::located), target.tcol);
   if (fractional) return all;
-  const auto errors = step_errors(law, end, target);
   // Whether an engine has the law does not depend on the size of the grains.
   const ExportCase what{
       .law = law, .end = end, .tcol = target.tcol, .en = target.en, .impact = target.impact, .radius_eff = 1};
-  for (const Engine engine : engines())
-    if (runs(engine, what)) add_steps(all, text(engine), errors, target.tcol);
+  std::vector<StepError> errors;  // alike in all that run it
+  for (const Engine engine : engines()) {
+    if (!runs(engine, what)) continue;
+    if (errors.empty()) errors = step_errors(law, end, target);
+    add_steps(all, text(engine), errors, target.tcol);
+  }
   return all;
 }
 
@@ -226,6 +231,7 @@ double rayleigh_time(double radius, double density, double young, double poisson
 std::optional<double> hertz_time_of(const AnyLaw& law, const Impact& impact) {
   if (const auto* l = std::get_if<KuwabaraKono>(&law)) return hertz_time(l->k(), impact);
   if (const auto* l = std::get_if<Tsuji>(&law)) return hertz_time(l->k(), impact);
+  if (const auto* l = std::get_if<FractionalHertz>(&law); l && l->k() > 0) return hertz_time(l->k(), impact);
   return std::nullopt;
 }
 

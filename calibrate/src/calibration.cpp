@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ricochet::calibration {
 namespace {
@@ -41,7 +42,7 @@ double held_stiffness(const Request& request) {
 /// The direct solution, unless rounding keeps it from the tolerance.
 std::optional<Solution> reduced(const Request& request, double tolerance) {
   const double en = request.target.en;
-  const auto solved = unit_law(request.law, en, request.end);
+  const auto solved = unit_law(request.law, en, request.end, request.held);
   if (!solved || rounding_error(solved->law, request.end, en) > tolerance) return std::nullopt;
   return Solution{solved->law, solved->closed_form ? "closed form" : "bracketed root", solved->collisions};
 }
@@ -71,6 +72,28 @@ Infeasible unfit_stiffness(const Request& request, const Fractional& scaled, dou
   return {request.law,       request.end, "the c that goes with the k to hold is not a number that a double can carry",
           "stiffness",       held,        stiffness_at(700),
           stiffness_at(-700)};
+}
+
+/// k that the springs of either law have, which is all that is left of it at e_n = 1 [kg/s²].
+double elastic_stiffness(const Target& target) {
+  return std::pow(std::numbers::pi / target.tcol, 2) * target.impact.mass_eff;
+}
+
+/// The k of a Kelvin–Voigt law that no α goes with.
+Infeasible unfit_degree(const Request& request) {
+  const Target& target = request.target;
+  Infeasible out{request.law, request.end, "at en = 1 the law is a spring and tcol alone fixes its k", "stiffness",
+                 *request.stiffness};
+  if (target.en == 1) {
+    out.lowest = out.highest = elastic_stiffness(target);
+    return out;
+  }
+  const auto linear = unit_law(request.law, target.en, request.end, {.alpha = 1});
+  if (!linear) return out_of_reach(request, Settings{}.tolerance);
+  out.reason = "as alpha goes from that of the fractional law to 1, the k that keeps en goes from 0 to linear's";
+  out.highest = std::get<FractionalKelvinVoigt>(at_impact(linear->law, target.tcol, target.impact).value()).k();
+  out.low_open = true;
+  return out;
 }
 
 double greatest_relative_difference(const AnyLaw& law, const AnyLaw& other) {
@@ -164,23 +187,42 @@ void require_request(const Request& request) {
   require_ordinary("velocity", impact.velocity);
   require_ordinary("mass_eff", impact.mass_eff);
   if (request.stiffness) require_ordinary("stiffness", *request.stiffness);
+  require(domains::degree.contains(request.held.alpha), "alpha", request.held.alpha, domains::degree.accepted);
+  require_ordinary("stiffening", request.held.stiffening);
   if (!request.law.ends().offer(request.end))
     throw std::invalid_argument(fmt::format("end = {}: must be {} for the law {}", text(request.end),
                                             request.end == ContactEnd::force ? "overlap" : "force",
                                             request.law.name()));
 }
 
-std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance) {
-  return of_target(reduced(request, tolerance), request, tolerance);
+std::variant<Request, Infeasible> with_degree(const Request& request) {
+  const auto& [tcol, en, impact] = request.target;
+  if (request.law != kind_of<FractionalKelvinVoigt> || !request.stiffness) return request;
+  const double k = *request.stiffness * tcol * tcol / impact.mass_eff;
+  if (en == 1 && std::abs(*request.stiffness / elastic_stiffness(request.target) - 1) < 1e-10) return request;
+  const auto alpha = Reduction<FractionalKelvinVoigt>::degree(k, en, request.end);
+  if (!alpha) return unfit_degree(request);
+  Request found = request;
+  found.held.alpha = *alpha;
+  return found;
 }
 
-Outcome calibrate(const Request& request, const Settings& settings) {
-  require_request(request);
+std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& asked, double tolerance) {
+  const auto request = with_degree(asked);
+  if (const auto* missed = std::get_if<Infeasible>(&request)) return *missed;
+  return of_target(reduced(std::get<Request>(request), tolerance), std::get<Request>(request), tolerance);
+}
+
+Outcome calibrate(const Request& asked, const Settings& settings) {
+  require_request(asked);
   require_settings(settings);
+  const auto whole = with_degree(asked);
+  if (const auto* missed = std::get_if<Infeasible>(&whole)) return *missed;
+  const Request& request = std::get<Request>(whole);
   const auto direct = reduced(request, settings.tolerance);
   const auto law = of_target(direct, request, settings.tolerance);
   if (const auto* missed = std::get_if<Infeasible>(&law)) return *missed;
-  const Solution found = search(request.law, request.end, request.target.en, settings.algorithm, settings.tolerance);
+  const Solution found = search(request, settings.algorithm, settings.tolerance);
   const auto found_law = in_si(found.law, request.target, held_stiffness(request));
   const bool hit = found_law && hits(found, request, settings.tolerance);
   const double apart = greatest_relative_difference(direct->law, found.law);

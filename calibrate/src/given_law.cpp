@@ -25,6 +25,15 @@ void confirm(const AnyLaw& law, const Impact& impact, const Collision& known, Co
                                    text(end), support::significant(apart, 2)));
 }
 
+/// What calibration would have to hold to find that law.
+Held held_of(const AnyLaw& law) {
+  Held held;
+  if (const auto* l = std::get_if<FractionalKelvinVoigt>(&law)) held.alpha = l->alpha();
+  if (const auto* l = std::get_if<FractionalHertz>(&law)) held.alpha = l->alpha();
+  if (const auto* l = std::get_if<FractionalZener>(&law)) held = {l->alpha(), l->k1() / l->k()};
+  return held;
+}
+
 std::string what_happened(const Collision& out) {
   if (out.status == CollisionStatus::no_separation) return "the bodies do not part so: too much damping for this end";
   if (out.status == CollisionStatus::permanent_contact)
@@ -59,6 +68,7 @@ Outcome answer(const AnyLaw& law, ContactEnd asked, const Impact& impact) {
                      .evaluations = 1,
                      .cross_method = Method::direct,
                      .cross_difference = 0};
+  answer.request.held = held_of(law);
   const auto* fractional = std::get_if<Fractional>(&law);
   if (out.en > 1) answer.remarks.push_back("it leaves faster than it came: below alpha = 0 the law makes energy");
   if (fractional) answer.request.stiffness = fractional->k();

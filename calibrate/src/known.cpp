@@ -47,12 +47,17 @@ double rounded_down(double x) {
   return std::isfinite(unit) ? std::floor(x * unit) / unit : x;
 }
 
+Request request_for(LawKind law, ContactEnd end, const Known& known, const Target& target) {
+  return {.law = law, .end = end, .target = target, .held = known.held};
+}
+
 /// The loss is more than the law can have and yet end so, or leaves no number of the velocity.
 Infeasible lost(LawKind law, ContactEnd end, const Known& known) {
   const double limit = loss_limit(law, end, known.loss);
   if (value_of(known.loss) < limit) {
     constexpr double least = 1e-300;
-    return in_terms_of(out_of_reach({law, end, {1, least, known.impact}}, Settings{}.tolerance), known.loss);
+    return in_terms_of(out_of_reach(request_for(law, end, known, {1, least, known.impact}), Settings{}.tolerance),
+                       known.loss);
   }
   return {.law = law,
           .end = end,
@@ -86,9 +91,11 @@ std::variant<Request, Infeasible> request_with(LawKind law, ContactEnd end, cons
   const auto en = restitution(law, end, known.loss);
   if (!en) return lost(law, end, known);
   const auto tcol = collision_time(law, end, known.scale, *en, known.impact, unit_laws);
-  if (!tcol) return in_terms_of(out_of_reach({law, end, {1, *en, known.impact}}, Settings{}.tolerance), known.loss);
+  if (!tcol)
+    return in_terms_of(out_of_reach(request_for(law, end, known, {1, *en, known.impact}), Settings{}.tolerance),
+                       known.loss);
   require_time(known.scale, *tcol);
-  Request request{law, end, {*tcol, *en, known.impact}};
+  Request request = request_for(law, end, known, {*tcol, *en, known.impact});
   if (law == kind_of<Fractional>) request.stiffness = stiffness(law, known.scale, known.impact);
   return request;
 }
@@ -120,8 +127,8 @@ Infeasible in_terms_of(Infeasible missed, const Loss& loss) {
 }
 
 std::variant<Request, Infeasible> request_of(LawKind law, ContactEnd end, const Known& known) {
-  return request_with(law, end, known, [](LawKind kind, double en, ContactEnd by) {
-    const auto unit = unit_law(kind, en, by);
+  return request_with(law, end, known, [&](LawKind kind, double en, ContactEnd by) {
+    const auto unit = unit_law(kind, en, by, known.held);
     return unit ? std::optional(unit->law) : std::nullopt;
   });
 }
@@ -129,7 +136,7 @@ std::variant<Request, Infeasible> request_of(LawKind law, ContactEnd end, const 
 std::variant<Request, Infeasible> request_of(LawKind law, ContactEnd end, const Known& known,
                                              const DirectCalibrator& calibrator) {
   return request_with(law, end, known, [&](LawKind kind, double en, ContactEnd by) {
-    const auto unit = calibrator({kind, by, {1, en, {1, 1}}});
+    const auto unit = calibrator(request_for(kind, by, known, {1, en, {1, 1}}));
     const auto* found = std::get_if<AnyLaw>(&unit);
     return found ? std::optional(*found) : std::nullopt;
   });

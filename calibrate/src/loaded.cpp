@@ -27,13 +27,13 @@ constexpr std::size_t most_collisions = 400;
 /// A law in the units of the target under the load in those units.
 class Loaded {
  public:
-  Loaded(LawKind law, double load) : law_(law), load_(load) {}
+  Loaded(const Request& request, double load) : request_(request), load_(load) {}
 
   /// The collision of that loss whose stiffness makes it take 1; none where no stiffness does.
   Collision at(double loss) {
     const auto late = [&](double scale) {
       if (++evaluations_ > most_collisions) return never;
-      const Collision out = unit_collision(law_, {scale, loss}, ContactEnd::force, load_);
+      const Collision out = unit_collision(request_, {scale, loss}, load_);
       return out.separated() ? std::log(out.tcol) : never;
     };
     double low = scale_, high = scale_, at_low = late(scale_), at_high = at_low;
@@ -49,24 +49,25 @@ class Loaded {
     }
     if (!(at_low > 0 && at_high <= 0)) return {};
     const double scale = support::root_bracket(late, low, high, at_low, at_high, {.relative = 1e-13}).second;
-    const Collision out = unit_collision(law_, {scale, loss}, ContactEnd::force, load_);
+    const Collision out = unit_collision(request_, {scale, loss}, load_);
     if (!out.separated() || std::abs(out.tcol - 1) > accuracy) return {};
     scale_ = scale;
     return out;
   }
 
-  AnyLaw law_at(double loss) const { return scaled_law(law_, {scale_, loss}); }
+  AnyLaw law_at(double loss) const { return scaled_law(request_.law, {scale_, loss}, request_.held); }
   std::size_t evaluations() const { return evaluations_; }
 
  private:
-  LawKind law_;
+  const Request& request_;
   double load_;
   double scale_ = 2;  // of the last answer: ln π², about
   std::size_t evaluations_ = 0;
 };
 
-std::optional<Solution> by_roots(LawKind law, double load, double en) {
-  Loaded loaded(law, load);
+std::optional<Solution> by_roots(const Request& request, double load) {
+  const double en = request.target.en;
+  Loaded loaded(request, load);
   double loss = -std::numeric_limits<double>::infinity();
   if (en < 1) {
     const auto found = collision::find_loss([&](double x) { return loaded.at(x); }, en);
@@ -130,7 +131,7 @@ Outcome calibrate_under_load(const Request& request, double load, const Settings
   support::require_positive("load", load);
   const auto& [tcol, en, impact] = request.target;
   const double scaled = load * tcol / (impact.mass_eff * impact.velocity);
-  const auto direct = by_roots(request.law, scaled, en);
+  const auto direct = by_roots(request, scaled);
   const auto law = direct ? brought_to(direct->law, request) : std::nullopt;
   if (!law)
     return Infeasible{
@@ -142,8 +143,7 @@ Outcome calibrate_under_load(const Request& request, double load, const Settings
         0,
         0,
         0};
-  const Solution found =
-      search(request.law, ContactEnd::force, en, settings.algorithm, std::max(settings.tolerance, accuracy), scaled);
+  const Solution found = search(request, settings.algorithm, std::max(settings.tolerance, accuracy), scaled);
   Calibration out = answered(request, *law, load);
   out.cross_difference = difference(direct->law, found.law);
   const bool agrees = out.cross_difference <= 1e-5;

@@ -56,6 +56,9 @@ struct Resized {
     return Fractional(law.k() * share, law.c() * share, law.alpha());
   }
   AnyLaw operator()(const Tsuji& law) const { return Tsuji(law.k() * root(), law.c() * std::sqrt(root() * mass())); }
+  AnyLaw operator()(const FractionalHertz& law) const {
+    return FractionalHertz(law.k() * root(), law.c() * root(), law.alpha());
+  }
   AnyLaw operator()(const KuwabaraKono& law) const { return KuwabaraKono(law.k() * root(), law.c() * root()); }
 };
 
@@ -75,7 +78,7 @@ std::optional<TangentialRequest> tangential_of(const Materials& m, const Pair& p
 
 PairOutcome calibrated(const Materials& m, const Pair& pair) {
   const Bodies at = middle_bodies(m, pair);
-  const Known known{scale_of(m, pair, at.radius_eff), loss::Restitution{pair.en}, {m.velocity, at.mass_eff}};
+  const Known known{scale_of(m, pair, at.radius_eff), loss::Restitution{pair.en}, {m.velocity, at.mass_eff}, m.held};
   const auto request = request_of(m.law, m.end, known);
   if (const auto* missed = std::get_if<Infeasible>(&request)) return PairMissed{pair, *missed};
   const Outcome outcome = calibrate(std::get<Request>(request), {.method = Method::direct});

@@ -21,8 +21,10 @@ struct Residual {
 /// The search's view of the problem, and the best point it has seen.
 class Problem {
  public:
-  Problem(LawKind law, ContactEnd end, double en, double load)
-      : law_(law), end_(end), target_loss_(-std::log(en)), load_(load) {}
+  Problem(const Request& request, double load)
+      : request_(request), target_loss_(-std::log(request.target.en)), load_(load) {
+    if (request.law == kind_of<FractionalZener>) most_ = Reduction<FractionalZener>::lossiest(request.held);
+  }
 
   /// 2 unknowns; the elastic law has the stiffness alone.
   unsigned unknowns() const { return target_loss_ > 0 ? 2 : 1; }
@@ -61,7 +63,8 @@ class Problem {
     ++evaluations_;
     // Beyond e^40 no target needs the parameters: a step that far is a runaway, and exp would overflow later.
     if (std::abs(x[0]) > 40 || std::abs(x[1]) > 40) return {100, 100};
-    const auto out = unit_collision(law_, coordinates(x), end_, load_);
+    if (x[1] > most_) return {50, 50 + x[1]};
+    const auto out = unit_collision(request_, coordinates(x), load_);
     if (!out.separated() || out.en <= 0) return {50, 50 + x[1]};  // less loss is the way back
     return {std::log(out.tcol), unknowns() == 1 ? 0 : loss_residual(-std::log(out.en))};
   }
@@ -74,9 +77,9 @@ class Problem {
     return std::log(std::max(loss, 1e-300) / target_loss_);
   }
 
-  LawKind law_;
-  ContactEnd end_;
+  const Request& request_;
   double target_loss_, load_;
+  double most_ = std::numeric_limits<double>::infinity();  // past it the law loses less again
   std::size_t evaluations_ = 0;
   Point best_{0, 0};
   double best_value_ = std::numeric_limits<double>::max();
@@ -114,11 +117,11 @@ const std::vector<std::string>& algorithms() {
   return names;
 }
 
-Solution search(LawKind law, ContactEnd end, double en, const std::string& algorithm, double tolerance, double load) {
-  Problem problem(law, end, en, load);
+Solution search(const Request& request, const std::string& algorithm, double tolerance, double load) {
+  Problem problem(request, load);
   const auto chosen = static_cast<nlopt::algorithm>(nlopt_algorithm_from_string(algorithm.c_str()));
   // A residual of `tolerance` in ln t is one of t; in ln ln e it is one of ln e, so |ln e| times that of e.
-  const double miss = 0.01 * tolerance / std::max(1.0, -std::log(en));
+  const double miss = 0.01 * tolerance / std::max(1.0, -std::log(request.target.en));
   // A run that ends early (its trust region or simplex has shrunk) is begun anew around its best point, until one gains
   // nothing: then rounding is all that is left.
   double step = 1, previous = std::numeric_limits<double>::infinity();
@@ -127,7 +130,7 @@ Solution search(LawKind law, ContactEnd end, double en, const std::string& algor
     run(problem, chosen, step, miss * miss);
     step = std::clamp(std::sqrt(problem.best_value()), 1e-10, 1.0);
   }
-  return {scaled_law(law, problem.coordinates(problem.best())), algorithm, problem.evaluations()};
+  return {scaled_law(request.law, problem.coordinates(problem.best()), request.held), algorithm, problem.evaluations()};
 }
 
 }  // namespace ricochet::calibration

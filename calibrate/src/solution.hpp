@@ -15,23 +15,26 @@ struct Solution {
 };
 
 /// The search; its best point, whether or not it met the tolerance. `load` is in the units of the target.
-Solution search(LawKind law, ContactEnd end, double en, const std::string& algorithm, double tolerance,
-                double load = 0);
+Solution search(const Request& request, const std::string& algorithm, double tolerance, double load = 0);
 
 /// The collision of a law in the units of the target.
-inline Collision unit_collision(LawKind law, const Coordinates& x, ContactEnd end, double load = 0) {
+inline Collision unit_collision(const Request& request, const Coordinates& x, double load = 0) {
   constexpr std::size_t budget = 100'000;  // a force that all but grazes 0 would spend what it gets
-  if (load > 0) return collide_under_load(scaled_law(law, x), {1, 1}, load, {.max_evaluations = budget});
-  return collide(scaled_law(law, x), {1, 1}, {end});
+  const AnyLaw law = scaled_law(request.law, x, request.held);
+  if (load > 0) return collide_under_load(law, {1, 1}, load, {.max_evaluations = budget});
+  return collide(law, {1, 1}, {request.end});
 }
 
 /// A law in the units of the target in SI units; the fractional law with the k that it holds. nullopt where a parameter
 /// is then no normal double.
 std::optional<AnyLaw> brought_to(const AnyLaw& scaled, const Request& request);
 
-/// Throws std::invalid_argument for a target or stiffness outside its domain and for an end that the law does not
-/// offer.
+/// Throws std::invalid_argument for a target, stiffness or what is held outside its domain and for an end that the law
+/// does not offer.
 void require_request(const Request& request);
+
+/// The same with the α that its stiffness leaves, where a law has both; or why there is none.
+std::variant<Request, Infeasible> with_degree(const Request& request);
 
 /// The law by the direct reduction alone, where doubles carry it to the tolerance; the request is a valid one.
 std::variant<AnyLaw, Infeasible> calibrate_directly(const Request& request, double tolerance);

@@ -46,7 +46,8 @@ void read_stiffness(const Node& node, TangentialAsked& asked) {
 
 /// The normal collision at which springs are made.
 Collision collision_of(const TangentialAsked& asked, const AnyLaw& normal, double mass, ContactEnd end) {
-  const bool changes = std::holds_alternative<KuwabaraKono>(normal) || std::holds_alternative<Tsuji>(normal);
+  const bool changes = std::holds_alternative<KuwabaraKono>(normal) || std::holds_alternative<Tsuji>(normal) ||
+                       std::holds_alternative<FractionalHertz>(normal);
   if (!asked.velocity && (changes || asked.mindlin))
     asked.place.complain(
         "\"velocity\" is missing; these springs depend on the impact velocity for which they are made");

@@ -39,7 +39,7 @@ Scale read_scale(const Node& law) {
 /// Does the law change with the velocity for which it is made?
 bool needs_velocity(LawKind kind, const Scale& scale) {
   const bool timed = std::holds_alternative<scale::CollisionTime>(scale);
-  if (kind == kind_of<KuwabaraKono>) return true;
+  if (kind == kind_of<KuwabaraKono> || kind == kind_of<FractionalHertz>) return true;
   return kind == kind_of<Tsuji> ? timed : !timed;
 }
 
@@ -90,8 +90,8 @@ AnyLaw law_of(const LawByTarget& by, ContactEnd end, const PairOfBodies& pair) {
   Scale scale = by.scale;
   if (auto* moduli = std::get_if<scale::Moduli>(&scale)) moduli->radius_eff = pair.radius;
   try {
-    const auto tcol = collision_time(by.kind, end, scale, by.en, impact);
-    const auto unit = tcol ? unit_law(by.kind, by.en, end) : std::nullopt;
+    const auto tcol = collision_time(by.kind, end, scale, by.en, impact, by.held);
+    const auto unit = tcol ? unit_law(by.kind, by.en, end, by.held) : std::nullopt;
     if (const auto law = unit ? at_impact(unit->law, *tcol, impact) : std::nullopt) return *law;
   } catch (const std::invalid_argument& misuse) {
     by.place.complain(misuse.what());
@@ -106,13 +106,32 @@ const Node& place_of(const ByPair& by_pair) {
   return by_pair.laws.empty() ? by_pair.tangentials.begin()->second.place : by_pair.laws.begin()->second.place;
 }
 
-/// The rounding of the parameters leaves no fractional law of e_n < 0.00317 that ends by overlap.
-void require_reach(const Node& law, LawKind kind, double en, ContactEnd end) {
-  if (reaches(kind, end, en, 1, {1, 1})) return;
-  law.at("en").reject(fmt::format(
-      "in [{}, 1] with the law {} ended by {}: below, the rounding of its parameters to doubles leaves another en",
-      console::significant(least_restitution(kind, end, en, 1, {1, 1}), 3), kind.name(),
-      end == ContactEnd::force ? "force" : "overlap"));
+/// The rounding of the parameters leaves no fractional law of e_n < 0.00317 that ends by overlap; and what is held of a
+/// law of real solids none below some e_n.
+void require_reach(const Node& law, LawKind kind, double en, ContactEnd end, const Held& held) {
+  if (reaches(kind, end, en, 1, {1, 1}, reach_tolerance, held)) return;
+  const double least = least_restitution(kind, end, en, 1, {1, 1}, reach_tolerance, held);
+  const bool rounded = en >= restitution_bound(kind, end, held);
+  law.at("en").reject(
+      fmt::format("in [{}, 1] with the law {} ended by {}: below, {}", console::significant(least, 3), kind.name(),
+                  end == ContactEnd::force ? "force" : "overlap",
+                  rounded ? "the rounding of its parameters to doubles leaves another en"
+                          : fmt::format("no loss leaves less at its alpha = {}", console::shortest(held.alpha))));
+}
+
+/// What is held of a law that holds something.
+Held read_held(const Node& law, LawKind kind) {
+  Held held;
+  const auto given = [&](const char* key, bool holds) {
+    if (law.has(key) && !holds) law.at(key).reject(fmt::format("left out with the law {} by target", kind.name()));
+    return law.has(key);
+  };
+  if (given("alpha", holds_degree(kind))) {
+    held.alpha = law.at("alpha").number();
+    if (!domains::degree.contains(held.alpha)) law.at("alpha").reject(domains::degree.accepted);
+  }
+  if (given("stiffening", kind == kind_of<FractionalZener>)) held.stiffening = law.at("stiffening").positive();
+  return held;
 }
 
 }  // namespace
@@ -120,18 +139,19 @@ void require_reach(const Node& law, LawKind kind, double en, ContactEnd end) {
 bool is_by_target(const Node& law) { return law.has("en"); }
 
 LawByTarget read_law_by_target(const Node& law) {
-  law.allow({"name", "en", "tcol", "young", "poisson", "young2", "poisson2", "velocity", "end"});
+  law.allow({"name", "en", "tcol", "young", "poisson", "young2", "poisson2", "velocity", "end", "alpha", "stiffening"});
   const LawKind kind = *LawKind::named(law.at("name").one_of(Laws::names));
   const double en = law.at("en").positive();
   if (en > 1) law.at("en").reject("in (0, 1]");
   const Scale scale = read_scale(law);
   if (law.has("end") && law.at("end").text() == "overlap" && !kind.ends().offer(ContactEnd::overlap))
     law.at("end").reject(fmt::format("force with the law {}", kind.name()));
+  const Held held = read_held(law, kind);
   require_reach(law, kind, en,
-                law.has("end") && law.at("end").text() == "overlap" ? ContactEnd::overlap : ContactEnd::force);
+                law.has("end") && law.at("end").text() == "overlap" ? ContactEnd::overlap : ContactEnd::force, held);
   if (!law.has("velocity") && needs_velocity(kind, scale))
     law.complain("\"velocity\" is missing; this law depends on the impact velocity for which it is made");
-  return {kind, en, scale, law.has("velocity") ? law.at("velocity").positive() : 1, law};
+  return {kind, en, scale, law.has("velocity") ? law.at("velocity").positive() : 1, held, law};
 }
 
 void resolve(const ByPair& by_pair, ClusterSetup& setup) {

@@ -18,6 +18,7 @@ struct LawByTarget {
   double en = 0;
   Scale scale;          ///< of moduli without the radius, which is each pair's own
   double velocity = 0;  ///< of the impact [m/s], where it matters
+  Held held;            ///< of the laws of real solids
   console::Node place;
 };
 
@@ -33,8 +34,9 @@ struct ByPair {
 /// Whether the object says what the collisions shall do instead of the law's parameters.
 bool is_by_target(const console::Node& law);
 
-/// Reads {"name", "en", "tcol" | "young", "poisson" [, "young2", "poisson2"], "velocity"}. Throws console::BadInput,
-/// also where the velocity is missing and the law depends on it.
+/// Reads {"name", "en", "tcol" | "young", "poisson" [, "young2", "poisson2"], "velocity", "alpha", "stiffening"}, the
+/// last two of laws that hold them. Throws console::BadInput, also where the velocity is missing and the law depends on
+/// it.
 LawByTarget read_law_by_target(const console::Node& law);
 
 /// Gives every pair of bodies its own law and springs: bodies of materials with such are sorted by radius and density,

@@ -1,5 +1,6 @@
 #include <calibrate/given_law.hpp>
 #include <catch2/catch.hpp>
+#include <ricochet/collision/reach.hpp>
 #include <rapidcheck.h>
 
 #include <cmath>
@@ -14,6 +15,7 @@ TEST_CASE("what a calibrated law does is what was asked for", "[property]") {
     const auto end = law.ends().overlap && *rc::gen::arbitrary<bool>() ? ContactEnd::overlap : ContactEnd::force;
     const auto power = [](int low, int high) { return std::pow(10, *rc::gen::inRange(100 * low, 100 * high) / 100.0); };
     const Target target{power(-7, 0), *rc::gen::inRange(20, 1000) / 1000.0, {power(-3, 2), power(-9, 1)}};
+    RC_PRE(target.en >= 1.001 * restitution_bound(law, end));
     const auto inverse = std::get<Calibration>(calibrate({law, end, target}, {.method = Method::direct}));
     const auto forward = std::get<Calibration>(answer(inverse.law, end, target.impact));
     RC_ASSERT(std::abs(forward.achieved.tcol / target.tcol - 1) <= 1e-10);

@@ -35,7 +35,7 @@ TEST_CASE("a stiffness is that law's own, and the fractional law holds it") {
     CAPTURE(law.name());
     const auto found = calibrated(law, ContactEnd::force, {scale::Stiffness{4000}, loss::Restitution{0.6}, impact});
     CHECK(values(found.law)[0] == Approx(4000).epsilon(1e-10));
-    CHECK(found.achieved.en == Approx(0.6).epsilon(1e-10));
+    CHECK(found.achieved.en == Approx(0.6).epsilon(std::max(1e-10, numerical_error(law, ContactEnd::force, 0.6))));
   }
   // Linear and fractional have the same t_col then.
   const auto time = [&](LawKind law) {
@@ -50,7 +50,9 @@ TEST_CASE("a greatest overlap is that of the damped collision") {
   const Impact impact{0.5, 7.06858e-6};
   for (const LawKind law : LawKind::all()) {
     const auto found = calibrated(law, ContactEnd::force, {scale::MaxOverlap{1e-5}, loss::Restitution{0.6}, impact});
-    CHECK(found.achieved.max_overlap == Approx(1e-5).epsilon(1e-9));
+    // What is achieved is told by the numerical collision.
+    CHECK(found.achieved.max_overlap ==
+          Approx(1e-5).epsilon(std::max(1e-9, numerical_error(law, ContactEnd::force, 0.6))));
   }
 }
 
@@ -90,7 +92,7 @@ TEST_CASE("the tables give the same requests as the slow way") {
       for (const Scale& scale : {Scale(scale::Stiffness{4e4}), Scale(scale::MaxOverlap{1e-5}),
                                  Scale(scale::Moduli{{1e8, 0.3}, {2e9, 0.2}, 1e-3})}) {
         CAPTURE(law.name(), en, name(scale));
-        const Known known{scale, loss::Restitution{en}, impact};
+        const Known known{scale, loss::Restitution{en}, impact, {.alpha = 0.7, .stiffening = 1000}};  // reach 0.3
         const auto one = std::get<Request>(request_of(law, ContactEnd::force, known));
         const auto other = std::get<Request>(request_of(law, ContactEnd::force, known, quick));
         CHECK(other.target.tcol == Approx(one.target.tcol).epsilon(1e-10));

@@ -14,7 +14,6 @@ constexpr Impact impact{0.5, 7e-6};
 
 TEST_CASE("Every law is found under a load, in two ways, and does there what was asked") {
   for (const LawKind law : LawKind::all()) {
-    if (law.parameters().size() > 2 && law != kind_of<Fractional>) continue;  // some hundred kernels
     const Outcome outcome = calibrate_under_load({law, ContactEnd::force, {1e-4, 0.6, impact}}, 3e-3);
     REQUIRE(std::holds_alternative<Calibration>(outcome));
     const auto& found = std::get<Calibration>(outcome);

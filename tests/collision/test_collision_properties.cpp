@@ -66,6 +66,17 @@ struct Units {
   }
   AnyLaw operator()(const Hysteretic& l) const { return Hysteretic(l.k1() * stiffness(), l.k2() * stiffness()); }
   AnyLaw operator()(const Fractional& l) const { return Fractional(l.k() * stiffness(), l.c() * damping(), l.alpha()); }
+  double pot(double alpha) const { return stiffness() * std::pow(time, alpha); }
+  AnyLaw operator()(const FractionalKelvinVoigt& l) const {
+    return FractionalKelvinVoigt(l.k() * stiffness(), l.c() * pot(l.alpha()), l.alpha());
+  }
+  AnyLaw operator()(const FractionalHertz& l) const {
+    const double root = std::sqrt(length);
+    return FractionalHertz(l.k() * stiffness() / root, l.c() * pot(l.alpha()) / root, l.alpha());
+  }
+  AnyLaw operator()(const FractionalZener& l) const {
+    return FractionalZener(l.k() * stiffness(), l.k1() * stiffness(), l.tau() * time, l.alpha());
+  }
   Impact operator()(const Impact& i) const { return {i.velocity * length / time, i.mass_eff * mass}; }
 };
 

@@ -97,6 +97,67 @@ TEST_CASE("The fractional law under a load is the same in closed form and on arm
   }
 }
 
+namespace {
+
+/// The law's own way under a load against steps of its arms, to what their kernel is right.
+template <class Law>
+void check_by_arms(const Law& law, double share) {
+  CAPTURE(Law::name, share);
+  const double tcol = collide(law, impact).tcol, load = share * impact.mass_eff * impact.velocity / tcol;
+  const auto kernel = affordable_kernel(law.alpha(), {tcol / 300, 30 * tcol, 1e-8}, Law::Arms::max_kernel_arms);
+  const Collision exact = collide_under_load(law, impact, load),
+                  stepped = collide_under_load(typename Law::Arms(law, kernel, tcol / 300), impact, load);
+  REQUIRE(exact.separated());
+  REQUIRE(stepped.separated());
+  CHECK(stepped.en == Approx(exact.en).epsilon(1e-5));
+  CHECK(stepped.tcol == Approx(exact.tcol).epsilon(1e-5));
+  CHECK(stepped.max_overlap == Approx(exact.max_overlap).epsilon(1e-5));
+  CHECK(stepped.max_force == Approx(exact.max_force).epsilon(1e-5));
+  CHECK(stepped.overlap_end == Approx(exact.overlap_end).epsilon(1e-5));
+  CHECK(exact.en < collide(law, impact).en);
+}
+
+template <class Law>
+void check_without_load(const Law& law) {
+  const Collision loaded = collide_under_load(law, impact, 0), free = collide(law, impact);
+  CHECK(loaded.en == Approx(free.en).epsilon(1e-11));
+  CHECK(loaded.tcol == Approx(free.tcol).epsilon(1e-11));
+  CHECK(loaded.max_overlap == Approx(free.max_overlap).epsilon(1e-10));
+  CHECK(loaded.overlap_end == Approx(free.overlap_end).epsilon(1e-10));
+}
+
+}  // namespace
+
+TEST_CASE("The laws of real solids under a load are the same in their own ways and on arms") {
+  const FractionalKelvinVoigt kelvin_voigt(stiffness, 100, 0.5);
+  const FractionalHertz hertz(1e7, 3e4, 0.5);
+  const FractionalZener zener(stiffness, 4 * stiffness, 1e-4, 0.5);
+  for (const double share : {0.02, 0.1}) {
+    check_by_arms(kelvin_voigt, share);
+    check_by_arms(hertz, share);
+    check_by_arms(zener, share);
+  }
+  check_without_load(kelvin_voigt);
+  check_without_load(hertz);
+  check_without_load(zener);
+  // Their limits: no loss, none under any load; α = 1 the linear law and Kuwabara and Kono's.
+  const double load = load_of(1);
+  CHECK(collide_under_load(FractionalHertz(1e7, 1, 0), impact, load).en == Approx(1).epsilon(1e-7));
+  CHECK(collide_under_load(FractionalZener(stiffness, stiffness, 1, 0), impact, load).en == Approx(1).epsilon(1e-7));
+  CHECK(collide_under_load(FractionalKelvinVoigt(stiffness, 3, 1), impact, load).en ==
+        collide_under_load(Linear(stiffness, 3), impact, load).en);
+  CHECK(collide_under_load(FractionalHertz(1e7, 300, 1), impact, load_of(0.1)).en ==
+        collide_under_load(KuwabaraKono(1e7, 450), impact, load_of(0.1)).en);
+  CHECK_FALSE(collide_under_load(FractionalHertz(0, 300, 1), impact, load).separated());
+  for (const AnyLaw& law : {AnyLaw(kelvin_voigt), AnyLaw(hertz), AnyLaw(zener)}) {
+    const double heavy = load_of(0.3), least = least_speed_to_part(law, impact.mass_eff, heavy);
+    CAPTURE(name(law), least);
+    REQUIRE(least > 0);
+    CHECK(collide_under_load(law, {1.01 * least, impact.mass_eff}, heavy).separated());
+    CHECK_FALSE(collide_under_load(law, {0.99 * least, impact.mass_eff}, heavy).separated());
+  }
+}
+
 TEST_CASE("Below some speed a load keeps bodies together, if anything is lost") {
   const Linear law(stiffness, 0.4 * std::sqrt(stiffness * impact.mass_eff));
   const double load = load_of(0.1), least = least_speed_to_part(law, impact.mass_eff, load);

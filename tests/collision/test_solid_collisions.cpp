@@ -5,6 +5,7 @@
 #include <ricochet/collision/collision.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/oblique.hpp>
+#include <ricochet/collision/reach.hpp>
 #include <ricochet/collision/reduction.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -284,15 +285,87 @@ TEST_CASE("Zener's τ is the shorter of two, continuing Kelvin and Voigt's") {
   CHECK(zener->law.k() == Approx(kelvin_voigt->law.k()).epsilon(1e-4));
 }
 
-TEST_CASE("an oblique impact on the arms of a solid is that of the law it becomes") {
-  const ObliqueImpact impact = oblique::at_angle(25, {0, 30, 0});
-  const TangentialContact contact{LinearTangential(1.48e7, 0.2), Friction(0.1, 0.1, 0)};
-  const auto check = [&](const ObliqueCollision& got, const ObliqueCollision& exact) {
-    REQUIRE(got.separated());
-    CHECK(got.normal.en == Approx(exact.normal.en).epsilon(1e-9));
-    CHECK(got.velocity_i.x == Approx(exact.velocity_i.x).epsilon(1e-8));
-    CHECK(got.spin_i.y == Approx(exact.spin_i.y).epsilon(1e-8));
+TEST_CASE("no less is kept than by a springpot alone, or at Zener's worst", "[reach]") {
+  const auto bound = [](LawKind law, double alpha, ContactEnd end = ContactEnd::force) {
+    return restitution_bound(law, end, {.alpha = alpha});
   };
-  check(collide(FractionalKelvinVoigt(1.72e7, 15, 1), contact, impact), collide(Linear(1.72e7, 15), contact, impact));
-  check(collide(FractionalHertz(1e10, 3e3, 1), contact, impact), collide(KuwabaraKono(1e10, 4.5e3), contact, impact));
+  // The fractional law, and K D^α ζ^{3/2}, of the same α.
+  CHECK(bound(kind_of<FractionalKelvinVoigt>, 0.5) == Approx(fractional_contact(0.5).en).epsilon(1e-14));
+  CHECK(bound(kind_of<FractionalHertz>, 0.25) == Approx(0.57164767998).epsilon(1e-10));
+  CHECK(bound(kind_of<FractionalHertz>, 0.5) == Approx(0.285653122776).epsilon(1e-11));
+  CHECK(bound(kind_of<FractionalKelvinVoigt>, 0.5, ContactEnd::overlap) == 0);
+  CHECK(bound(kind_of<FractionalKelvinVoigt>, 0.2, ContactEnd::overlap) ==
+        Approx(fractional_contact(0.2, ContactEnd::overlap).en));
+  for (const auto law : {kind_of<FractionalKelvinVoigt>, kind_of<FractionalHertz>, kind_of<FractionalZener>}) {
+    CAPTURE(LawKind(law).name());
+    const double least = least_restitution(law, ContactEnd::force, 0.01, 1e-4, {0.5, 7e-6});
+    CHECK(least >= bound(law, 0.5));
+    CHECK(least < bound(law, 0.5) + 1e-3);
+    CHECK(reaches(law, ContactEnd::force, least, 1e-4, {0.5, 7e-6}));
+    CHECK_FALSE(reaches(law, ContactEnd::force, bound(law, 0.5) - 1e-6, 1e-4, {0.5, 7e-6}));
+    CHECK(bound(law, 0) == 1);  // springs alone
+    CHECK(least_restitution(law, ContactEnd::force, 0.5, 1e-4, {0.5, 7e-6}, reach_tolerance, {.alpha = 0}) == 1);
+  }
+  CHECK(bound(kind_of<FractionalKelvinVoigt>, 1) == 0);
+  CHECK(bound(kind_of<Linear>, 0.5) == 0);
+}
+
+TEST_CASE("a k that is given leaves one alpha", "[reduction]") {
+  using Solid = Reduction<FractionalKelvinVoigt>;
+  for (const auto end : {ContactEnd::force, ContactEnd::overlap})
+    for (const double alpha : {0.35, 0.5, 0.8})
+      for (const double g : {0.05, 0.5}) {
+        CAPTURE(static_cast<int>(end), alpha, g);
+        const Collision out = collide(FractionalKelvinVoigt(1, g, alpha), unit, {end});
+        const auto found = Solid::degree(out.tcol * out.tcol, out.en, end);
+        REQUIRE(found);
+        CHECK(*found == Approx(alpha).epsilon(1e-9));
+      }
+  const double linear = unit_law(kind_of<Linear>, 0.5, ContactEnd::force)->law.index() == 0
+                            ? std::get<Linear>(unit_law(kind_of<Linear>, 0.5, ContactEnd::force)->law).k()
+                            : 0;
+  CHECK(Solid::degree(linear, 0.5, ContactEnd::force) == 1.0);
+  CHECK(Solid::degree(1e-8 * linear, 0.5, ContactEnd::force).value() == Approx(conversion_degree(0.5)).epsilon(1e-6));
+  CHECK_FALSE(Solid::degree(1.001 * linear, 0.5, ContactEnd::force));
+  CHECK_FALSE(Solid::degree(linear, 1, ContactEnd::force));
+  CHECK_THROWS_WITH(Solid::degree(-1, 0.5, ContactEnd::force), "k = -1: must be finite and > 0");
+}
+
+namespace {
+
+const ObliqueImpact skew = oblique::at_angle(25, {0, 30, 0});
+const TangentialContact gripping{LinearTangential(1.48e7, 0.2), Friction(0.1, 0.1, 0)};
+
+void check_oblique(const ObliqueCollision& got, const ObliqueCollision& exact, double bound) {
+  REQUIRE(got.separated());
+  CHECK(got.normal.en == Approx(exact.normal.en).epsilon(bound));
+  CHECK(got.velocity_i.x == Approx(exact.velocity_i.x).epsilon(bound));
+  CHECK(got.spin_i.y == Approx(exact.spin_i.y).epsilon(bound));
+}
+
+/// The law's own path against steps of its arms.
+template <class Law>
+void check_by_arms(const Law& law) {
+  CAPTURE(Law::name);
+  const ObliqueCollision own = collide(law, gripping, skew);
+  REQUIRE(own.separated());
+  check_oblique(collide(arms_of_collision(law, own.normal.tcol), gripping, skew), own, 1e-7);
+}
+
+}  // namespace
+
+TEST_CASE("an oblique impact of a solid is that of the law it becomes, and of its arms") {
+  check_oblique(collide(FractionalKelvinVoigt(1.72e7, 15, 1), gripping, skew),
+                collide(Linear(1.72e7, 15), gripping, skew), 1e-12);
+  check_oblique(collide(FractionalHertz(1e10, 3e3, 1), gripping, skew),
+                collide(KuwabaraKono(1e10, 4.5e3), gripping, skew), 1e-12);
+  // Nearly so: α = 1 − 1e-9.
+  check_oblique(collide(FractionalKelvinVoigt(1.72e7, 15, 1 - 1e-9), gripping, skew),
+                collide(Linear(1.72e7, 15), gripping, skew), 1e-7);
+  check_oblique(collide(FractionalHertz(1e10, 3e3, 1 - 1e-9), gripping, skew),
+                collide(KuwabaraKono(1e10, 4.5e3), gripping, skew), 1e-7);
+  // Whose first stick is long beside what the arms' kernel resolves.
+  check_by_arms(FractionalKelvinVoigt(1.5e7, 1e4, 0.5));
+  check_by_arms(FractionalHertz(1e10, 1e7, 0.5));
+  check_by_arms(FractionalZener(1.5e7, 1.5e8, 1e-7, 0.5));
 }

@@ -41,7 +41,9 @@ TEST_CASE("each law states the parameters and units that are published of it") {
 }
 
 TEST_CASE("a law's kind is found by its name, and by nothing else") {
-  const std::vector<std::string> names{"linear", "kuwabara-kono", "tsuji", "hysteretic", "fractional"};
+  const std::vector<std::string> names{"linear",           "kuwabara-kono",   "tsuji",
+                                       "hysteretic",       "fractional",      "fractional-kelvin-voigt",
+                                       "fractional-hertz", "fractional-zener"};
   std::vector<std::string> all;
   for (const LawKind kind : LawKind::all()) {
     all.emplace_back(kind.name());
@@ -55,7 +57,9 @@ TEST_CASE("a law's kind is found by its name, and by nothing else") {
 }
 
 TEST_CASE("a kind makes the law of its values, which names itself and gives them back") {
-  const std::vector<std::vector<double>> given{{5000, 0.1}, {1e6, 30}, {1e6, 2}, {4000, 16000}, {5000, 0.3, 0.2}};
+  const std::vector<std::vector<double>> given{
+      {5000, 0.1},      {1e6, 30},       {1e6, 2},        {4000, 16000},
+      {5000, 0.3, 0.2}, {5000, 20, 0.4}, {1e6, 3e3, 0.6}, {5000, 5e5, 1e-7, 0.5}};
   for (const LawKind kind : LawKind::all()) {
     CAPTURE(kind.name());
     const auto& numbers = given.at(kind.index());
@@ -121,7 +125,8 @@ TEST_CASE("a law is representable whose parameters are normal, or a zero of thei
 
 TEST_CASE("every law ends by force, some by overlap") {
   for (const LawKind kind : LawKind::all()) {
-    const bool overlap = kind == kind_of<Linear> || kind == kind_of<Tsuji> || kind == kind_of<Fractional>;
+    const bool overlap = kind == kind_of<Linear> || kind == kind_of<Tsuji> || kind == kind_of<Fractional> ||
+                         kind == kind_of<FractionalKelvinVoigt>;
     CHECK(kind.ends().offer(ContactEnd::force));
     CHECK(kind.ends().offer(ContactEnd::overlap) == overlap);
     CHECK(kind.ends().both_by_default == (kind == kind_of<Linear>));

@@ -98,6 +98,25 @@ TEST_CASE("a law by moduli has Hertz' stiffness of each pair's own radius") {
   }
 }
 
+TEST_CASE("the laws of real solids by target, at what is held of them") {
+  const auto scene = [](const std::string& law) { return scene_with(law, law); };
+  for (const std::string law : {R"("fractional-kelvin-voigt", "alpha": 0.4)", R"("fractional-hertz", "velocity": 0.5)",
+                                R"("fractional-zener", "alpha": 0.6, "stiffening": 50)"}) {
+    CAPTURE(law);
+    for (const Met& m : collide_all(scene(R"({"en": 0.7, "tcol": 1e-4, "name": )" + law + "}"))) {
+      CHECK(m.tcol == Approx(1e-4).epsilon(1e-4));
+      CHECK(m.en == Approx(0.7).epsilon(1e-4));
+    }
+  }
+  // Parameters as they are.
+  const auto by_number = collide_all(scene(R"({"name": "fractional-zener", "k": 1000, "k1": 4000, "tau": 1e-5,
+                                               "alpha": 0.5})"));
+  const double mass = 2500 * 4 * std::numbers::pi / 3 * 1e-9 / 2;
+  const Collision exact = collide(FractionalZener(1000, 4000, 1e-5, 0.5), {0.5, mass});
+  CHECK(by_number[0].tcol == Approx(exact.tcol).epsilon(1e-4));
+  CHECK(by_number[0].en == Approx(exact.en).epsilon(1e-4));
+}
+
 TEST_CASE("bodies of one size keep their materials, of two sizes get one law a pair") {
   const std::string fixed = R"({"name": "linear", "k": 1000, "c": 0})";
   CHECK(read_scene("s.json", scene_with(fixed, fixed)).setup.interactions.size() == 2);
@@ -121,9 +140,19 @@ TEST_CASE("a law by target that is not one says where") {
         "/interactions/0/law: \"poisson\" is missing; it must be given");
   CHECK(complaint(R"({"name": "tsuji", "en": 0.5, "k": 1e7})") ==
         "/interactions/0/law: unknown key \"k\"; known are name, en, tcol, young, poisson, young2, poisson2, velocity, "
-        "end");
+        "end, alpha, stiffening");
   CHECK(complaint(R"({"name": "hysteretic", "en": 0.5, "tcol": 1e-4, "end": "overlap"})") ==
         "/interactions/0/law/end = \"overlap\": must be force with the law hysteretic");
+  CHECK(complaint(R"({"name": "tsuji", "en": 0.5, "tcol": 1e-4, "velocity": 1, "alpha": 0.5})") ==
+        "/interactions/0/law/alpha = 0.5: must be left out with the law tsuji by target");
+  CHECK(complaint(R"({"name": "fractional-zener", "en": 0.5, "tcol": 1e-4, "alpha": 1.5})") ==
+        "/interactions/0/law/alpha = 1.5: must be in [0, 1]");
+  CHECK(
+      complaint(R"({"name": "fractional-kelvin-voigt", "en": 0.2, "tcol": 1e-4})") ==
+      "/interactions/0/law/en = 0.2: must be in [0.301, 1] with the law fractional-kelvin-voigt ended by force: below, "
+      "no loss leaves less at its alpha = 0.5");
+  CHECK(complaint(R"({"name": "fractional-hertz", "en": 0.5, "tcol": 1e-4})") ==
+        "/interactions/0/law: \"velocity\" is missing; this law depends on the impact velocity for which it is made");
   // By overlap the fractional law keeps no digit of so small an e_n; by force it does, as every other law.
   CHECK(complaint(R"({"name": "fractional", "en": 0.003, "tcol": 1e-4, "end": "overlap"})") ==
         "/interactions/0/law/en = 0.003: must be in [0.00317, 1] with the law fractional ended by overlap: below, the "

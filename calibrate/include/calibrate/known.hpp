@@ -15,6 +15,7 @@ struct Known {
   Scale scale;
   Loss loss;
   Impact impact;
+  Held held = {};  ///< what both leave open of the laws of real solids
 };
 
 /// 4π/3 r³ρ of a sphere [kg].

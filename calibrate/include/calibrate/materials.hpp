@@ -42,6 +42,7 @@ struct Materials {
   double soften = 1;    ///< divides E*
   LinearMatch match = LinearMatch::time;
   TangentialForm tangential = TangentialForm::linear;  ///< of pairs that have β₀ or μ
+  Held held = {};                                      ///< of the laws of real solids
   std::vector<Material> all = {};                      ///< grains before walls
   std::vector<Pair> pairs = {};                        ///< of every two that can meet
 };
@@ -74,7 +75,7 @@ using PairOutcome = std::variant<PairResult, PairMissed>;
 /// What stays when grains of other sizes meet than those that a pair was calibrated for.
 enum class Kept {
   numbers,  ///< k and c of the linear law, k₁ and k₂, or k, c and α; of the Hertzian laws the modulus, and with it
-            ///< the damping ratio (Tsuji) or Brilliantov's A = 2c/(3k) (Kuwabara–Kono)
+            ///< the damping ratio (Tsuji), Brilliantov's A = 2c/(3k) (Kuwabara–Kono) or c/k (fractional-hertz)
   restitution,  ///< of the linear law k and the damping ratio instead
   target        ///< of the linear and the fractional law t_col and e_n instead
 };

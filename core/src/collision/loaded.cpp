@@ -5,8 +5,7 @@
 #include <ricochet/support/root.hpp>
 
 #include "closed_forms.hpp"
-
-#include <boost/math/tools/minima.hpp>
+#include "loaded_motion.hpp"
 
 #include <cmath>
 #include <limits>
@@ -36,33 +35,11 @@ class LoadedFractional {
   MittagLeffler one_, two_, three_, same_;
 };
 
-/// Without the load the force is negative between its first two zeros; with it, if at all, then in the same dip: that
-/// is as long as the spring's half period at most, and begins at tau.
-std::optional<double> end_of(const LoadedFractional& motion, double tau) {
-  constexpr int cells = 64;
-  double least = std::numeric_limits<double>::infinity(), where = tau;
-  const double cell = 1.2 * tau / cells;
-  for (int i = 0; i <= cells; ++i)
-    if (const double t = tau + i * cell, f = motion.force(t); f < least) least = f, where = t;
-  const auto force = [&](double t) { return motion.force(t); };
-  if (least > 0) {
-    const auto [t, f] = boost::math::tools::brent_find_minima(force, std::max(tau, where - cell), where + cell, 40);
-    if (f > 0) return std::nullopt;
-    where = t;
-  }
-  const double before = force(0.5 * tau), after = force(where);
-  return after == 0 ? where : support::root(force, 0.5 * tau, where, before, after);
-}
-
 }  // namespace
 
 namespace collision {
 
 void require_load(double load) { support::require_not_negative("load", load); }
-
-MemoryKernel loaded_kernel(double alpha, double tcol, std::size_t most_arms) {
-  return affordable_kernel(alpha, {tcol / 300, 30 * tcol, 1e-8}, most_arms);
-}
 
 /// Bisection in ln v between the nearest powers of 2 that do and do not part.
 double speed_to_part(const std::function<bool(double)>& parts, double guess) {
@@ -91,18 +68,7 @@ Collision collide_under_load(const Fractional& law, const Impact& impact, double
   const double alpha = law.alpha(), unit = std::pow(impact.mass_eff / law.coefficient(), 1 / (2 - alpha));
   const LoadedFractional motion(alpha, load * unit / (impact.mass_eff * impact.velocity));
   const double tau = fractional_contact(alpha).tau;
-  const auto end = end_of(motion, tau);
-  if (!end) return {};
-  Collision out{.status = CollisionStatus::ended_by_force, .tcol = *end, .en = -motion.rate(*end)};
-  if (!(out.en > 0)) return {};
-  out.overlap_end = motion.overlap(*end);
-  out.time_max_overlap = support::root([&](double t) { return motion.rate(t); }, 0.0, *end, 1.0, -out.en);
-  out.max_overlap = motion.overlap(out.time_max_overlap);
-  const auto [time, force] =
-      boost::math::tools::brent_find_minima([&](double t) { return -motion.force(t); }, 0.0, *end, 40);
-  out.time_max_force = time;
-  out.max_force = -force;
-  return collision::in_units(out, impact, unit);
+  return collision::in_units(collision::follow_loaded(motion, tau, 1.2 * tau), impact, unit);
 }
 
 bool clears(const Collision& out, const Impact& impact, double load) {
@@ -120,13 +86,11 @@ double least_speed_to_part(const AnyLaw& law, double mass_eff, double load) {
         return collision::speed_to_part(
             [&](double velocity) {
               const Impact impact{velocity, mass_eff};
-              if constexpr (std::same_as<Law, Fractional>) {
-                return collide_under_load(one, impact, load).separated();
-              } else {
-                const auto followed = collision::followed(one, impact);
-                if (!followed) return false;
-                collision::Driven driven(*followed);
+              if constexpr (ContactLaw<Law>) {
+                collision::Driven driven(one);
                 return collision::parts_under(driven, impact, load);
+              } else {
+                return collide_under_load(one, impact, load).separated();
               }
             },
             guess);

@@ -8,6 +8,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/minima.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -152,6 +153,16 @@ class Collocation {
   }
 
   Collision run();
+  const std::vector<MemoryPanel>& panels() const { return panels_; }
+  /// Before the first panel.
+  MemoryMotion::Instant at_first(double t) const;
+  /// κP + γ D^αP = (κ + γ) P + γ (D^α − 1) P: differences spoil the last term alone, whose sums are as small as α.
+  Row forces(const MemoryPanel& panel) const {
+    return (e_.spring + e_.pot) * panel.f + e_.pot / panel.length * (mesh().slope * panel.memory);
+  }
+  Row x_of(const MemoryPanel& panel) const {
+    return panel.f.unaryExpr([this](double f) { return e_.hertzian ? std::cbrt(f) * std::cbrt(f) : f; });
+  }
 
  private:
   double power(double x) const { return e_.hertzian ? x * std::sqrt(x) : x; }
@@ -166,23 +177,17 @@ class Collocation {
   Row memory(double begin, double length);
   bool advance(double length);
   void accept(const MemoryPanel& panel, const Row& x);
-  /// κP + γ D^αP = (κ + γ) P + γ (D^α − 1) P: differences spoil the last term alone, whose sums are as small as α.
-  Row forces(const MemoryPanel& panel) const {
-    return (e_.spring + e_.pot) * panel.f + e_.pot / panel.length * (mesh().slope * panel.memory);
-  }
   /// (t^{−α}/Γ(1−α)) − 1
   double kernel(double t) const { return std::expm1(-e_.alpha * std::log(t) - log_gamma_); }
   double overlap(const MemoryPanel& panel, double tau) const { return panel.value(x_of(panel), tau); }
-  Row x_of(const MemoryPanel& panel) const {
-    return panel.f.unaryExpr([this](double f) { return e_.hertzian ? std::cbrt(f) * std::cbrt(f) : f; });
-  }
+  std::optional<double> fallen(const MemoryPanel& panel, const Row& force) const;
   void look_for_peak(const MemoryPanel& panel, Collision& out) const;
 
   MemoryEquation e_;
   double p_, beta_, log_gamma_;
   Square own_;
   std::map<double, Square> adjacent_;
-  double by_spring_ = 0, by_pot_ = 0;  // x = t (1 − by_spring t^{p+1} − by_pot t^{p+1−α})
+  double by_spring_ = 0, by_pot_ = 0;  // x = t (1 + load t/2 − by_spring t^{p+1} − by_pot t^{p+1−α})
   std::vector<MemoryPanel> panels_;
   double x_ = 0, integral_ = 0, memory_ = 0;  // x, ∫P and (I^{1−α} − I)P at the end of the last panel
   double next_ = 0;                           // length of a panel that will do next
@@ -194,17 +199,28 @@ void Collocation::start() {
   const auto ratio = [](double from, double by) { return std::exp(std::lgamma(from) - std::lgamma(from + by)); };
   by_spring_ = e_.spring * ratio(p_ + 1, 2);
   by_pot_ = e_.pot * ratio(p_ + 1, 2 - e_.alpha);
-  x_ = t * (1 - by_spring_ * std::pow(t, p_ + 1) - by_pot_ * std::pow(t, p_ + 1 - e_.alpha));
+  x_ = t * (1 - by_spring_ * std::pow(t, p_ + 1) - by_pot_ * std::pow(t, p_ + 1 - e_.alpha)) + 0.5 * e_.load * t * t;
   const auto integrated = [&](double beta) {
     const auto term = [&](double exponent) { return ratio(exponent + 1, beta) * std::pow(t, exponent + beta); };
-    return term(p_) - p_ * by_spring_ * term(2 * p_ + 1) - p_ * by_pot_ * term(2 * p_ + 1 - e_.alpha);
+    return term(p_) - p_ * by_spring_ * term(2 * p_ + 1) - p_ * by_pot_ * term(2 * p_ + 1 - e_.alpha) +
+           0.5 * p_ * e_.load * term(p_ + 1);
   };
   integral_ = integrated(1);
   memory_ = integrated(beta_) - integral_;
 }
 
 double Collocation::first_f(double t) const {
-  return std::pow(t, p_) * (1 - p_ * by_spring_ * std::pow(t, p_ + 1) - p_ * by_pot_ * std::pow(t, p_ + 1 - e_.alpha));
+  return std::pow(t, p_) * (1 - p_ * by_spring_ * std::pow(t, p_ + 1) - p_ * by_pot_ * std::pow(t, p_ + 1 - e_.alpha) +
+                            0.5 * p_ * e_.load * t);
+}
+
+MemoryMotion::Instant Collocation::at_first(double t) const {
+  const double q = p_ - e_.alpha, spring = by_spring_ * std::pow(t, p_ + 1), pot = by_pot_ * std::pow(t, q + 1);
+  const double pot_force = e_.pot * std::exp(std::lgamma(p_ + 1) - std::lgamma(q + 1)) * std::pow(t, q);
+  return {.overlap = t * (1 + 0.5 * e_.load * t - spring - pot),
+          .rate = 1 + e_.load * t - (p_ + 2) * spring - (q + 2) * pot,
+          .force = e_.spring * std::pow(t, p_) + pot_force,
+          .slope = (p_ * e_.spring * std::pow(t, p_) + q * pot_force) / t};
 }
 
 /// ∫ kernel(t−s) P ds over [0, first_end]: halves towards its end down to the distance of t; the half at 0 in
@@ -284,7 +300,8 @@ bool Collocation::advance(double length) {
   const Square& J = mesh().integral;
   const Row past = memory(begin, length);
   const Square slowing = e_.spring * length * J + e_.pot * fraction * own_;  // 1 − x' of this panel's P
-  const Row known = e_.pot * past + Row::Constant((e_.spring + e_.pot) * integral_);
+  Row known = e_.pot * past + Row::Constant((e_.spring + e_.pot) * integral_);
+  if (e_.load > 0) known -= e_.load * (Row::Constant(begin) + length * mesh().at);
   const Row straight = Row::Constant(x_) + length * (J * (Row::Ones() - known));
   const Square bending = length * J * slowing;
   Row x = straight, f;
@@ -335,6 +352,15 @@ void Collocation::look_for_peak(const MemoryPanel& panel, Collision& out) const 
   out.time_max_force = panel.begin + panel.length * (-negative > force[top] ? tau : mesh().at[top]);
 }
 
+/// Where the force falls to 0 on a panel; under a load it may be back above by the panel's end.
+std::optional<double> Collocation::fallen(const MemoryPanel& panel, const Row& force) const {
+  const auto pushing = [&](double tau) { return panel.value(force, tau); };
+  if (pushing(1) <= 0) return fall(pushing);
+  Index least = 0;
+  if (!(e_.load > 0) || force.minCoeff(&least) > 0) return std::nullopt;
+  return support::root(pushing, 0.0, mesh().at[least], pushing(0), force[least]);
+}
+
 Collision Collocation::run() {
   Collision out;
   double length = first_end;
@@ -354,17 +380,17 @@ Collision Collocation::run() {
       out.max_overlap = overlap(panel, tau);
     }
     const Row force = forces(panel);
-    const auto pushing = [&](double tau) { return panel.value(force, tau); };
-    if (turned && pushing(1) <= 0) {
-      const double tau = fall(pushing);
-      look_for_peak(panel, out);
+    const auto tau = turned ? fallen(panel, force) : std::nullopt;
+    look_for_peak(panel, out);
+    if (tau) {
       out.status = CollisionStatus::ended_by_force;
-      out.tcol = panel.begin + panel.length * tau;
-      out.en = -rate(tau);
-      out.overlap_end = overlap(panel, tau);
+      out.tcol = panel.begin + panel.length * *tau;
+      out.en = -rate(*tau);
+      out.overlap_end = overlap(panel, *tau);
       break;
     }
-    look_for_peak(panel, out);
+    constexpr double creeping = 1e4;
+    if (e_.load > 0 && turned && (rate(1) > 0 || panel.begin > creeping)) break;
     length = next_;
   }
   out.evaluations = evaluations_;
@@ -374,5 +400,35 @@ Collision Collocation::run() {
 }  // namespace
 
 Collision follow_memory(const MemoryEquation& equation) { return Collocation(equation).run(); }
+
+struct MemoryMotion::Panels {
+  explicit Panels(const MemoryEquation& equation) : motion(equation) {
+    motion.run();
+    for (const MemoryPanel& panel : motion.panels()) {
+      const Row force = motion.forces(panel);
+      overlap.push_back(motion.x_of(panel));
+      forces.push_back(force);
+      slope.push_back(mesh().slope * force / panel.length);
+    }
+  }
+
+  Collocation motion;
+  std::vector<Row> overlap = {}, forces = {}, slope = {};
+};
+
+MemoryMotion::MemoryMotion(const MemoryEquation& equation) : panels_(std::make_shared<const Panels>(equation)) {}
+
+MemoryMotion::Instant MemoryMotion::at(double t) const {
+  const auto& panels = panels_->motion.panels();
+  if (t < first_end || panels.empty()) return panels_->motion.at_first(t);
+  const auto after = std::upper_bound(panels.begin() + 1, panels.end(), t,
+                                      [](double time, const MemoryPanel& panel) { return time < panel.begin; });
+  const auto i = static_cast<std::size_t>(after - panels.begin()) - 1;
+  const auto here = mesh().row((t - panels[i].begin) / panels[i].length);
+  return {.overlap = here * panels_->overlap[i],
+          .rate = 1 - here * panels[i].slowed,
+          .force = here * panels_->forces[i],
+          .slope = here * panels_->slope[i]};
+}
 
 }  // namespace ricochet::collision

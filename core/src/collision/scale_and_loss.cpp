@@ -178,11 +178,13 @@ std::optional<double> stiffness(LawKind law, const Scale& scale, const Impact& i
   return std::nullopt;
 }
 
-std::optional<double> collision_time(LawKind law, ContactEnd end, const Scale& scale, double en, const Impact& impact) {
-  return collision_time(law, end, scale, en, impact, [](LawKind kind, double kept, ContactEnd by) {
-    const auto unit = unit_law(kind, kept, by);
+std::optional<double> collision_time(LawKind law, ContactEnd end, const Scale& scale, double en, const Impact& impact,
+                                     const Held& held) {
+  const UnitLaws unit_laws = [&](LawKind kind, double kept, ContactEnd by) {
+    const auto unit = unit_law(kind, kept, by, held);
     return unit ? std::optional(unit->law) : std::nullopt;
-  });
+  };
+  return collision_time(law, end, scale, en, impact, unit_laws);
 }
 
 std::optional<double> collision_time(LawKind law, ContactEnd end, const Scale& scale, double en, const Impact& impact,

@@ -1,7 +1,9 @@
 // The reductions of the laws of real solids.
 
+#include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/reduction.hpp>
 #include <ricochet/support/require.hpp>
+#include <ricochet/support/root.hpp>
 
 #include <boost/math/tools/minima.hpp>
 
@@ -58,6 +60,29 @@ std::optional<FractionalKelvinVoigt> Reduction<FractionalKelvinVoigt>::in_si(con
       {unit.k() * scale, unit.c() * scale * std::pow(tcol, unit.alpha()), unit.alpha()});
 }
 
+// Of the springpot alone.
+double Reduction<FractionalKelvinVoigt>::restitution_bound(ContactEnd end, const Held& held) {
+  require_held(held);
+  const double greatest = end == ContactEnd::force ? 1 : overlap_limit;
+  return held.alpha < greatest ? fractional_contact(held.alpha, end).en : 0;
+}
+
+std::optional<double> Reduction<FractionalKelvinVoigt>::degree(double k, double en, ContactEnd end) {
+  support::require_positive("k", k);
+  if (en == 1 || en < least_restitution(end)) return std::nullopt;
+  const double least = conversion_degree(en, end);
+  const auto linear = unit(en, end, {.alpha = 1});
+  if (!linear) return std::nullopt;
+  constexpr double rounding = 1e-13, weaker = -1e3;  // what no double tells from no spring
+  const auto stiffer = [&](double alpha) {
+    const auto found = unit(en, end, {.alpha = alpha});
+    return found ? std::log(found->law.k() / k) : weaker;
+  };
+  const double at_one = std::log(linear->law.k() / k);
+  if (at_one < rounding) return at_one > -rounding ? std::optional(1.0) : std::nullopt;
+  return support::root(stiffer, least, 1, weaker, at_one);
+}
+
 FractionalHertz Reduction<FractionalHertz>::at(const Coordinates& x, const Held& held) {
   return {std::exp(x.scale), std::exp(x.loss + (1 - 0.4 * held.alpha) * x.scale), held.alpha};
 }
@@ -71,6 +96,12 @@ std::optional<FractionalHertz> Reduction<FractionalHertz>::in_si(const Fractiona
   const double scale = impact.mass_eff / std::sqrt(impact.velocity) / (tcol * tcol * std::sqrt(tcol));
   return representable<FractionalHertz>(
       {unit.k() * scale, unit.c() * scale * std::pow(tcol, unit.alpha()), unit.alpha()});
+}
+
+double Reduction<FractionalHertz>::restitution_bound(ContactEnd end, const Held& held) {
+  require_held(held);
+  if (held.alpha == 0) return 1;
+  return collide(FractionalHertz(0, 1, held.alpha), {1, 1}, {end}).en;
 }
 
 // At α = 0 τ has no part in it, and without loss no arm has: any τ will do.
@@ -88,6 +119,11 @@ double Reduction<FractionalZener>::lossiest(const Held& held) {
   const double low = std::min(0.0, stiffening) - 3, high = std::max(stiffening, 0.0) + 3;
   const auto kept = [&](double loss) { return collide(at({0, loss}, held), {1, 1}, {}).en; };
   return boost::math::tools::brent_find_minima(kept, low, high, 26).first;
+}
+
+double Reduction<FractionalZener>::restitution_bound(ContactEnd end, const Held& held) {
+  require_held(held);
+  return collide(at({0, lossiest(held)}, held), {1, 1}, {end}).en;
 }
 
 std::optional<UnitLaw<FractionalZener>> Reduction<FractionalZener>::unit(double en, ContactEnd end, const Held& held) {

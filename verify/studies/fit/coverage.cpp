@@ -35,7 +35,10 @@ struct Group {
   double operator()(const KuwabaraKono& law) const { return law.c() * std::pow(law.k(), -0.6) * std::pow(mass, -0.4); }
   double operator()(const Tsuji& law) const { return damping_ratio(law, mass); }
   double operator()(const Hysteretic& law) const { return law.k1() / law.k2(); }
-  double operator()(const Fractional& law) const { return law.alpha(); }
+  template <RemembersAll Law>
+  double operator()(const Law& law) const {
+    return law.alpha();
+  }
 };
 
 std::vector<double> true_parameters(const CoverageCase& one) {

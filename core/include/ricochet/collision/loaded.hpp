@@ -1,9 +1,9 @@
 #pragma once
 
 #include <ricochet/collision/collision.hpp>
-#include <ricochet/fractional/memory_kernel.hpp>
 
-#include <optional>
+#include <concepts>
+#include <functional>
 
 namespace ricochet {
 
@@ -15,10 +15,9 @@ namespace ricochet {
 /// the load itself takes nothing (c = 0: e_n = 1 whatever the load). N T/(m v₀), T the contact's time, is the new
 /// group. That R is 0 does not mean that the load leaves the bodies apart: `clears` tells.
 ///
-/// Any law but the fractional: generic `collide`, the load in the momentum of each step. Error: that of `collide`,
-/// times 1 + N t_col/(m v₀), which is to be below 100: beyond, whether R grazes 0 is not told. Laws that remember all
-/// are followed on Maxwell arms, of 1e-8 from t_col/300 on: error 1e-5. Throws std::invalid_argument as `collide`, and
-/// for a load that is negative or not finite.
+/// Any law but those below: generic `collide`, the load in the momentum of each step. Error: that of `collide`, times
+/// 1 + N t_col/(m v₀), which is to be below 100: beyond, whether R grazes 0 is not told. Throws std::invalid_argument as
+/// `collide`, and for a load that is negative or not finite.
 template <ContactLaw Law>
 Collision collide_under_load(const Law& law, const Impact& impact, double load, const CollideOptions& options = {});
 
@@ -29,27 +28,20 @@ Collision collide_under_load(const Law& law, const Impact& impact, double load, 
 Collision collide_under_load(const Fractional& law, const Impact& impact, double load,
                              const CollideOptions& options = {});
 
+/// The laws of real solids. Kelvin–Voigt and Zener by the same superposition of the transforms, y' and ∫y of the motion y
+/// without the load; Hertz by collocation of x' = v₀ + N t/m − …. Error: 1e-11, more where R grazes 0; fractional-hertz
+/// 1e-10.
+Collision collide_under_load(const FractionalKelvinVoigt& law, const Impact& impact, double load,
+                             const CollideOptions& options = {});
+Collision collide_under_load(const FractionalHertz& law, const Impact& impact, double load,
+                             const CollideOptions& options = {});
+Collision collide_under_load(const FractionalZener& law, const Impact& impact, double load,
+                             const CollideOptions& options = {});
+
 namespace collision {
 void require_load(double load);
-/// Of the arms of a law that remembers all, for contacts that last some `tcol` [s].
-MemoryKernel loaded_kernel(double alpha, double tcol, std::size_t most_arms);
 /// The least speed at which `parts` holds, to 3e-4, sought from a guess on; see least_speed_to_part.
 double speed_to_part(const std::function<bool(double)>& parts, double guess);
-
-/// What is followed in the place of a law: itself, or its arms at that impact; none where it does not rebound at all.
-template <class Law>
-auto followed(const Law& law, const Impact& impact) {
-  if constexpr (ContactLaw<Law>) {
-    return std::optional<Law>(law);
-  } else {
-    using Arms = typename Law::Arms;
-    const Collision free = collide(law, impact);
-    if (!free.separated()) return std::optional<Arms>();
-    std::size_t most_arms = Arms::max_arms;
-    if constexpr (requires { Arms::max_kernel_arms; }) most_arms = Arms::max_kernel_arms;
-    return std::optional<Arms>(std::in_place, law, loaded_kernel(law.alpha(), free.tcol, most_arms), free.tcol / 300);
-  }
-}
 }  // namespace collision
 
 template <ContactLaw Law>
@@ -59,15 +51,9 @@ Collision collide_under_load(const Law& law, const Impact& impact, double load, 
   return collision::follow(driven, impact, options, load);
 }
 
-/// For AnyLaw, and for laws that remember all by their arms.
-template <class Law>
-Collision collide_under_load(const Law& law, const Impact& impact, double load, const CollideOptions& options = {}) {
-  if constexpr (std::same_as<Law, AnyLaw>) {
-    return std::visit([&](const auto& one) { return collide_under_load(one, impact, load, options); }, law);
-  } else {
-    const auto arms = collision::followed(law, impact);
-    return arms ? collide_under_load(*arms, impact, load, options) : Collision{};
-  }
+template <std::same_as<AnyLaw> Any>
+Collision collide_under_load(const Any& law, const Impact& impact, double load, const CollideOptions& options = {}) {
+  return std::visit([&](const auto& one) { return collide_under_load(one, impact, load, options); }, law);
 }
 
 /// Whether bodies that leave a contact with e_n at the given speed get clear of the overlap that it left them with,

@@ -92,6 +92,12 @@ std::shared_ptr<const NormalPath> normal_path(const KuwabaraKono& law, const Imp
 std::shared_ptr<const NormalPath> normal_path(const Tsuji& law, const Impact& impact, const Collision& by_force);
 std::shared_ptr<const NormalPath> normal_path(const Hysteretic& law, const Impact& impact, const Collision& by_force);
 std::shared_ptr<const NormalPath> normal_path(const Fractional& law, const Impact& impact, const Collision& by_force);
+std::shared_ptr<const NormalPath> normal_path(const FractionalKelvinVoigt& law, const Impact& impact,
+                                              const Collision& by_force);
+std::shared_ptr<const NormalPath> normal_path(const FractionalHertz& law, const Impact& impact,
+                                              const Collision& by_force);
+std::shared_ptr<const NormalPath> normal_path(const FractionalZener& law, const Impact& impact,
+                                              const Collision& by_force);
 std::shared_ptr<const NormalPath> normal_path(DrivenLaw& law, const Impact& impact, const Collision& by_force);
 
 /// Speed of approach and effective mass; checks bodies, normal and law.
@@ -124,8 +130,9 @@ ObliqueCollision collide_obliquely(const Law& law, const TangentialContact& tang
 /// and the tangential one follows it, T the traction on i in the plane, a_i, a_j the arms (docs/theory/oblique.md):
 ///   u = V + (a_i ω_i + a_j ω_j)×e,  V' = T/m,  ω_i' = e×(a_i T + M)/J_i,  ω_j' = e×(a_j T − M)/J_j.
 ///
-/// Method: ζ(t), R(t) by closed forms (hysteretic, fractional), by a recorded integration in the variable that makes
-/// the motion smooth (power laws), or by extrapolated steps of the law's own memory (any other law). The tangential
+/// Method: ζ(t), R(t) by closed forms (hysteretic, fractional, fractional-kelvin-voigt, fractional-zener), by the
+/// polynomials of a collocation (fractional-hertz), by a recorded integration in the variable that makes the motion
+/// smooth (power laws), or by extrapolated steps of the law's own memory (any other law). The tangential
 /// motion by Runge-Kutta-Fehlberg 7(8) with error control, one smooth phase after another: each event, stick to slip
 /// and slip to stick, is located by redoing the step it lies in. A compliant contact whose torsion shares the disc's
 /// limit goes by 2¹⁴ and 2¹⁵ steps of its own (`tangential_step`), extrapolated.
@@ -154,17 +161,12 @@ ObliqueCollision collide(const Hysteretic& law, const TangentialContact& tangent
                          const ObliqueOptions& options = {});
 ObliqueCollision collide(const Fractional& law, const TangentialContact& tangential, const ObliqueImpact& impact,
                          const ObliqueOptions& options = {});
-
-/// The laws of real solids, on the Maxwell arms of the collision.
-template <RemembersAll Law>
-ObliqueCollision collide(const Law& law, const TangentialContact& tangential, const ObliqueImpact& impact,
-                         const ObliqueOptions& options = {}) {
-  return collision::collide_obliquely(law, tangential, impact, options, [&](const Impact& head_on, const Collision& c) {
-    const auto arms = arms_of_collision(law, c.tcol);
-    collision::Driven<typename Law::Arms> driven(arms);
-    return collision::normal_path(driven, head_on, c);
-  });
-}
+ObliqueCollision collide(const FractionalKelvinVoigt& law, const TangentialContact& tangential,
+                         const ObliqueImpact& impact, const ObliqueOptions& options = {});
+ObliqueCollision collide(const FractionalHertz& law, const TangentialContact& tangential, const ObliqueImpact& impact,
+                         const ObliqueOptions& options = {});
+ObliqueCollision collide(const FractionalZener& law, const TangentialContact& tangential, const ObliqueImpact& impact,
+                         const ObliqueOptions& options = {});
 
 template <std::same_as<AnyLaw> Any>
 ObliqueCollision collide(const Any& law, const TangentialContact& tangential, const ObliqueImpact& impact,

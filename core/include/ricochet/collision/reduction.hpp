@@ -191,6 +191,13 @@ struct Reduction<FractionalKelvinVoigt> : GenericReduction<FractionalKelvinVoigt
   static std::optional<UnitLaw<FractionalKelvinVoigt>> unit(double en, ContactEnd end, const Held& held = {});
   static std::optional<FractionalKelvinVoigt> in_si(const FractionalKelvinVoigt& unit, double tcol,
                                                     const Impact& impact);
+  /// See restitution_bound (collision/reach.hpp).
+  static double restitution_bound(ContactEnd end, const Held& held);
+  /// The α at which the law of this k > 0, in the units of the impact, keeps e_n and takes 1: with k given t_col and
+  /// e_n leave nothing open. With α from that of the fractional law of e_n to 1, k grows from 0 to the linear law's.
+  /// nullopt for a greater k, and at e_n = 1, where no dashpot is left that α could be of.
+  /// Throws std::invalid_argument unless k > 0.
+  static std::optional<double> degree(double k, double en, ContactEnd end);
   static double rounding_error(const FractionalKelvinVoigt&, ContactEnd end, double en) noexcept {
     return end == ContactEnd::overlap ? 1e-15 / (en * en) : 0;
   }
@@ -206,6 +213,7 @@ struct Reduction<FractionalHertz> : GenericReduction<FractionalHertz> {
   static Coordinates with_unit_tcol(double loss, double tcol) { return {2.5 * std::log(tcol), loss}; }
   static std::optional<UnitLaw<FractionalHertz>> unit(double en, ContactEnd end, const Held& held = {});
   static std::optional<FractionalHertz> in_si(const FractionalHertz& unit, double tcol, const Impact& impact);
+  static double restitution_bound(ContactEnd end, const Held& held);
   static double numerical_error(ContactEnd, double en) noexcept { return 1e-11 + 1e-14 / en; }
 };
 
@@ -219,6 +227,7 @@ struct Reduction<FractionalZener> : GenericReduction<FractionalZener> {
   static std::optional<UnitLaw<FractionalZener>> unit(double en, ContactEnd end, const Held& held = {});
   /// The coordinate of the least e_n.
   static double lossiest(const Held& held);
+  static double restitution_bound(ContactEnd end, const Held& held);
   static double numerical_error(ContactEnd, double) noexcept { return 1e-7; }
 };
 

@@ -112,9 +112,11 @@ std::optional<double> restitution(LawKind law, ContactEnd end, const Loss& loss)
 std::optional<double> stiffness(LawKind law, const Scale& scale, const Impact& impact);
 
 /// The t_col that the scale comes to under the law that keeps `en` [s]; relative error that of `collide` and, of
-/// Kuwabara and Kono's law, 1e-10. nullopt where no double carries that law or the time.
+/// Kuwabara and Kono's law, 1e-10. nullopt where no double carries that law or the time, or what is held keeps it from
+/// that en.
 /// Throws std::invalid_argument for a value outside its domain.
-std::optional<double> collision_time(LawKind law, ContactEnd end, const Scale& scale, double en, const Impact& impact);
+std::optional<double> collision_time(LawKind law, ContactEnd end, const Scale& scale, double en, const Impact& impact,
+                                     const Held& held = {});
 
 /// Where unit laws come from: `unit_law`, or something quicker. nullopt where there is none.
 using UnitLaws = std::function<std::optional<AnyLaw>(LawKind law, double en, ContactEnd end)>;

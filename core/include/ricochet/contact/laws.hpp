@@ -53,7 +53,8 @@ struct LawList {
 
 /// The one list of laws. A new law is its header, its name here and its Reduction (collision/reduction.hpp); whatever
 /// does not know it by heart then has it.
-using Laws = LawList<Linear, KuwabaraKono, Tsuji, Hysteretic, Fractional>;
+using Laws = LawList<Linear, KuwabaraKono, Tsuji, Hysteretic, Fractional, FractionalKelvinVoigt, FractionalHertz,
+                     FractionalZener>;
 
 /// Any law of the list as its parameters: what calibration returns and scenes name. Visited once, at the edge.
 using AnyLaw = Laws::Any;

@@ -95,14 +95,15 @@ concept RemembersAll = requires(const Law& law) {
 /// MaxwellArms::max_arms arms.
 MaxwellArms::Parts fractional_parts(double coefficient, double alpha, const MemoryKernel& kernel);
 
-/// The arms of one collision that takes `duration` [s], made for steps of a 2000th of it: with the most arms that a
-/// contact carries their kernel is right to some 1e-10 (`affordable_kernel`), and what the collision makes of it too.
+/// The arms of one collision that takes `duration` [s], made for steps of a 400th of it: their kernel is right to 1e-9
+/// from there on, or as nearly as the most arms are that a contact carries (`affordable_kernel`), and what the collision
+/// makes of it to 1e-8, where en is not small. A better kernel takes ten times as long to find.
 /// Throws as `affordable_kernel` does.
 template <RemembersAll Law>
 typename Law::Arms arms_of_collision(const Law& law, double duration) {
   using Arms = typename Law::Arms;
-  const double step = duration / 2000;
-  return Arms(law, affordable_kernel(law.alpha(), {step, 1.05 * duration, 1e-12}, Arms::max_kernel_arms), step);
+  const double step = duration / 400;
+  return Arms(law, affordable_kernel(law.alpha(), {step, 1.05 * duration, 1e-9}, Arms::max_kernel_arms), step);
 }
 
 }  // namespace ricochet

@@ -37,5 +37,17 @@ ObliqueCollision collide(const Fractional& law, const TangentialContact& tangent
                          const ObliqueOptions& options) {
   return by_own_path(law, tangential, impact, options);
 }
+ObliqueCollision collide(const FractionalKelvinVoigt& law, const TangentialContact& tangential,
+                         const ObliqueImpact& impact, const ObliqueOptions& options) {
+  return by_own_path(law, tangential, impact, options);
+}
+ObliqueCollision collide(const FractionalHertz& law, const TangentialContact& tangential, const ObliqueImpact& impact,
+                         const ObliqueOptions& options) {
+  return by_own_path(law, tangential, impact, options);
+}
+ObliqueCollision collide(const FractionalZener& law, const TangentialContact& tangential, const ObliqueImpact& impact,
+                         const ObliqueOptions& options) {
+  return by_own_path(law, tangential, impact, options);
+}
 
 }  // namespace ricochet
