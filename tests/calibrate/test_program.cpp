@@ -90,3 +90,12 @@ TEST_CASE("a stiffness beside a collision time is the k that the fractional law 
           Approx(std::pow(0.2964394, alpha) * std::pow(5225, 1 - alpha)).epsilon(1e-6));
   }
 }
+
+TEST_CASE("words that a spreadsheet would run do not come out of a file of targets") {
+  for (const std::string word : {"=cmd()", "+1", "-x", "@sum", "\x1b[2J"}) {
+    const std::string answer = answered("tcol,en,law\n1e-4,0.5," + word + "\n");
+    CHECK(answer.find("," + word) == std::string::npos);
+    CHECK(answer.find(",,,\"bad input: law = ") != std::string::npos);
+  }
+  CHECK(answered("tcol,en,law\n1e-4,0.5,steel\n").find(",steel,") != std::string::npos);
+}

@@ -43,6 +43,14 @@ TEST_CASE("a file is written whole and replaces the old one") {
   CHECK(folder.count() == 1);
 }
 
+TEST_CASE("a name that no file system takes is refused before anything is written") {
+  const TemporaryFolder folder;
+  const std::string path = folder / std::string(300, 'x');
+  CHECK_THROWS_AS(AtomicFile(path), BadInput);
+  CHECK_THROWS_WITH(AtomicFile(path), path + ": cannot write: File name too long");
+  CHECK(folder.count() == 0);
+}
+
 TEST_CASE("without commit nothing is left and the old file stays") {
   const TemporaryFolder folder;
   write_atomically(folder / "a.txt", "old");

@@ -206,6 +206,7 @@ TEST_CASE("what no run of the scene comes to is not taken up") {
         start +
             "/velocities/2 = [0,5005.0,0]: must be a vector of at most 5e+03 m/s, as the scene lets it become "
             "by then");
+  CHECK(with("/velocity_gains/2/1", 2.01 * 0.01 / step).find("/velocity_gains/2 = ") != std::string::npos);
   CHECK(with("/velocity_gains/2/1", 1e300).find("velocity_gains/2 = ") != std::string::npos);
   CHECK(with("/half_positions/3/1", 0.9 * farthest) == "accepted");
   CHECK(with("/half_positions/3/1", 1.05 * farthest).find("/half_positions/3 = ") != std::string::npos);
