@@ -12,19 +12,21 @@ using namespace ricochet::verify::table1;
 
 namespace {
 
-const Fractional law(paper::steel.k, paper::steel.c, paper::steel.alpha);
+const Fractional steel_law(paper::steel.k, paper::steel.c, paper::steel.alpha);
 const Impact impact = paper::steel.impact(paper::steel.density);
 
-double last_velocity(Variant variant, int steps) { return end_of(variant, law, impact, paper::steel.tcol, steps).rate; }
+double last_velocity(Variant variant, int steps) {
+  return end_of(variant, steel_law, impact, paper::steel.tcol, steps).rate;
+}
 
 }  // namespace
 
 TEST_CASE("one step of each variant of (59) is the stages' formula") {
   constexpr double h = 1e-6;
-  const double alpha = law.alpha(), v0 = impact.velocity;
-  const double a1 = law.coefficient() / impact.mass_eff / std::tgamma(2 - alpha);
+  const double alpha = steel_law.alpha(), v0 = impact.velocity;
+  const double a1 = steel_law.coefficient() / impact.mass_eff / std::tgamma(2 - alpha);
   const double whole = a1 * std::pow(h, 1 - alpha), half = a1 * std::pow(h / 2, 1 - alpha);
-  const auto end = [&](Held held, Stepper stepper) { return end_of({held, stepper}, law, impact, h, 1); };
+  const auto end = [&](Held held, Stepper stepper) { return end_of({held, stepper}, steel_law, impact, h, 1); };
 
   // Heun predicts v₀, whatever is held, as there is no force yet.
   for (const Held held : {Held::left, Held::mean, Held::chord})
