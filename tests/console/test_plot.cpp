@@ -3,14 +3,20 @@
 
 #include <console/exit.hpp>
 #include <console/gnuplot.hpp>
+#include <console/law_colour.hpp>
 #include <console/output.hpp>
 #include <console/panels.hpp>
 #include <console/plot.hpp>
+#include <ricochet/contact/laws.hpp>
 
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 using namespace ricochet::console;
 
@@ -150,4 +156,29 @@ TEST_CASE("a themed picture repaints each colour of the palette as gnuplot write
         R"x([color="rgb(  0, 158, 115)"]{color:#2fc79a})x"})
     CHECK(svg.find(rule) != std::string::npos);
   CHECK(svg.find("<title>A &amp; B</title><desc>what is seen</desc>") != std::string::npos);
+}
+
+TEST_CASE("a law has one colour, whatever words stand behind its name, and no two share one") {
+  CHECK(law_colour("fractional") == palette::vermilion);
+  CHECK(law_colour("fractional, force") == palette::vermilion);
+  CHECK(law_colour("fractional alpha=0.0258") == palette::vermilion);
+  CHECK(law_colour("linear1") == law_colour("linear"));
+  CHECK(law_colour("nonlinear") == law_colour("kuwabara-kono"));
+  CHECK(law_colour("gravity") == palette::gray);
+  std::set<std::string_view> colours;
+  for (const std::string_view law : ricochet::Laws::names) colours.insert(law_colour(law));
+  CHECK(colours.size() == ricochet::Laws::size);
+}
+
+TEST_CASE("a law that is drawn twice is dashed the second time") {
+  const std::vector<Moment> moments{{0, 0, 1, 0}, {1, 1, 0, 1}};
+  const Figure figure = collision_panels("laws", "", {{"linear1", moments}, {"tsuji", moments}, {"linear2", moments}});
+  const auto drawn = [&](const char* colour, int dash) {
+    return figure.script.find(std::string("lc rgb '") + colour + "' lw 2.2 dt " + std::to_string(dash)) !=
+           std::string::npos;
+  };
+  CHECK(drawn(palette::blue, 1));
+  CHECK(drawn(palette::blue, 2));
+  CHECK(drawn(palette::orange, 1));
+  CHECK_FALSE(drawn(palette::orange, 2));
 }
