@@ -36,8 +36,8 @@ std::string output_of(const std::string& command, int& status) {
   return text;
 }
 
-/// Name, kind, bound and value of every gate; scheme, function, alpha, stated order and what it may be off by of every row
-/// that states an order.
+/// Name, kind, bound and value of every gate; scheme, function, alpha, stated order and what it may be off by of every
+/// row that states an order.
 Json bounds_of(const Json& study) {
   Json gates = Json::array(), orders = Json::array();
   for (const Json& gate : study.at("gates"))
