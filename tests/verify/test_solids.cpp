@@ -1,3 +1,4 @@
+#include "../../verify/studies/figures/solids.hpp"
 #include "../../verify/studies/orders/solids.hpp"
 
 #include <console/exit.hpp>
@@ -44,4 +45,13 @@ TEST_CASE("a degree that no series takes has its other ways, and a column its fe
   CHECK(all.empty());
   CHECK_THROWS_AS(measure_solids(selected({"--scheme", "fractional-zener in a column", "--steps", "8,16,32"})),
                   console::BadInput);
+}
+
+TEST_CASE("the exponents of the loss in the speed are those of the laws, and the figure has every law's colour") {
+  CHECK(all_pass(figures::solids_gates()));
+  const auto figure = figures::solids_figure();
+  REQUIRE(figure.data.size() == 2);
+  CHECK(figure.data[0].bytes.starts_with(
+      "v0 [m/s],fractional,fractional-kelvin-voigt,fractional-zener,fractional-hertz,kuwabara-kono\n0.001,"));
+  CHECK(figure.finding.find("keep that at every speed") != std::string::npos);
 }

@@ -89,7 +89,7 @@ void take_out(Convergence& c, double order) {
   c.worst.clear();
 }
 
-/// Hertz's memory is stretched by ζ^{3/2}, of whose rate t^{1/2} the first steps know a parabola: a term of order 5/2 −
+/// Hertz's memory is stretched by ζ^{3/2}, of whose rate t^{1/2} the first steps know the means: a term of order 5/2 −
 /// α stands beside 2. So does 5/2 where little is lost, α < 1/2, and the contact ends near ζ = 0. Of either sign and so
 /// near, they are taken out; what is left is of order 2, with what is half an order higher beside it.
 Convergence stepped_hertz(const FractionalHertz& law, const std::vector<std::size_t>& steps) {
