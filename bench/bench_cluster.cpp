@@ -27,10 +27,16 @@ void packed(benchmark::State& state, const AnyLaw& law, const Friction& friction
 const Friction smooth, rough(0.5, 0.5, 0, 0.1);
 void smooth_linear(benchmark::State& state) { packed(state, Linear(1e5, 15), smooth); }
 void smooth_fractional(benchmark::State& state) { packed(state, Fractional(1e5, 15, 0.2), smooth); }
+void smooth_kelvin_voigt(benchmark::State& state) { packed(state, FractionalKelvinVoigt(1e5, 1e3, 0.5), smooth); }
+void smooth_zener(benchmark::State& state) { packed(state, FractionalZener(1e5, 1e7, 1e-8, 0.5), smooth); }
+void smooth_hertz(benchmark::State& state) { packed(state, FractionalHertz(3e7, 3e5, 0.5), smooth); }
 void rough_linear(benchmark::State& state) { packed(state, Linear(1e5, 15), rough); }
 void rough_fractional(benchmark::State& state) { packed(state, Fractional(1e5, 15, 0.2), rough); }
 BENCHMARK(smooth_linear)->Args({10, 10})->Args({22, 21})->Unit(benchmark::kMicrosecond);
 BENCHMARK(smooth_fractional)->Args({10, 10})->Args({22, 21})->Unit(benchmark::kMicrosecond);
+BENCHMARK(smooth_kelvin_voigt)->Args({10, 10})->Unit(benchmark::kMicrosecond);
+BENCHMARK(smooth_zener)->Args({10, 10})->Unit(benchmark::kMicrosecond);
+BENCHMARK(smooth_hertz)->Args({10, 10})->Unit(benchmark::kMicrosecond);
 BENCHMARK(rough_linear)->Args({10, 10})->Args({22, 21})->Unit(benchmark::kMicrosecond);
 BENCHMARK(rough_fractional)->Args({10, 10})->Args({22, 21})->Unit(benchmark::kMicrosecond);
 

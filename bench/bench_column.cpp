@@ -56,11 +56,10 @@ void column_tsuji(benchmark::State& state) {
   run(state, PressedColumn::plate<Tsuji>(kind_of<Tsuji>), PressedColumn::pair<Tsuji>(kind_of<Tsuji>));
 }
 
-void column_fractional_12_arms(benchmark::State& state) {
-  const auto plate = PressedColumn::plate<Fractional>(kind_of<Fractional>);
-  const auto pair = PressedColumn::pair<Fractional>(kind_of<Fractional>);
-  const MemoryKernel kernel = workloads::kernel_of(12, pair.alpha(), step);
-  run(state, FractionalArms(plate, kernel, step), FractionalArms(pair, kernel, step));
+template <class Law>
+void column_on_12_arms(benchmark::State& state) {
+  run(state, workloads::on_12_arms(PressedColumn::plate<Law>(kind_of<Law>), step),
+      workloads::on_12_arms(PressedColumn::pair<Law>(kind_of<Law>), step));
 }
 
 void sizes(benchmark::internal::Benchmark* b) {
@@ -69,7 +68,10 @@ void sizes(benchmark::internal::Benchmark* b) {
 }
 
 BENCHMARK(column_linear)->Apply(sizes);
-BENCHMARK(column_fractional_12_arms)->Apply(sizes);
+BENCHMARK(column_on_12_arms<Fractional>)->Apply(sizes);
+BENCHMARK(column_on_12_arms<FractionalKelvinVoigt>)->Apply(sizes);
+BENCHMARK(column_on_12_arms<FractionalZener>)->Apply(sizes);
+BENCHMARK(column_on_12_arms<FractionalHertz>)->Apply(sizes);
 BENCHMARK(column_hysteretic)->Apply(sizes);
 BENCHMARK(column_tsuji)->Apply(sizes);
 

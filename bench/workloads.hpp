@@ -32,6 +32,13 @@ inline MemoryKernel kernel_of(std::size_t arms, double alpha, double step) {
   throw std::runtime_error("no kernel with so many arms");
 }
 
+/// A law of α, on 12 arms.
+template <RemembersAll Law>
+typename Law::Arms on_12_arms(const Law& law, double step) {
+  constexpr std::size_t more = Law::Arms::max_arms - Law::Arms::max_kernel_arms;  // than its kernel's has a law
+  return {law, kernel_of(12 - more, law.alpha(), step), step};
+}
+
 /// A column whose beads are pressed together at a uniform rate: every contact is active for `pressed_steps`.
 struct PressedColumn {
   static constexpr double mass = 1.41e-5, tcol = 1e-4, en = 0.945, step = tcol / 200;

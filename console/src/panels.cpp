@@ -1,4 +1,5 @@
 #include <console/gnuplot.hpp>
+#include <console/law_colour.hpp>
 #include <console/number.hpp>
 #include <console/panels.hpp>
 
@@ -35,7 +36,13 @@ SeriesFile file_of(const std::string& name, const std::vector<Motion>& motions) 
   return file;
 }
 
-std::string style_of(std::size_t i) { return fmt::format("lines lt {} lw 2.2 dt {}", i % 7 + 1, i < 7 ? 1 : 2); }
+/// In the law's colour, dashed where that has been drawn before: of two ends of one law the second.
+std::string style_of(const std::vector<Motion>& motions, std::size_t i) {
+  const std::string_view colour = law_colour(motions[i].title);
+  const auto before = std::count_if(motions.begin(), motions.begin() + static_cast<std::ptrdiff_t>(i),
+                                    [&](const Motion& m) { return law_colour(m.title) == colour; });
+  return fmt::format("lines lc rgb '{}' lw 2.2 dt {}", colour, before + 1);
+}
 
 /// One quantity over time under every law.
 Panel panel_of(const std::vector<Motion>& motions, const SeriesFile& file, const Prefix& time, const std::string& label,
@@ -48,7 +55,7 @@ Panel panel_of(const std::vector<Motion>& motions, const SeriesFile& file, const
     panel.curves.push_back({.file = file.name(),
                             .rows = file.rows(i),
                             .what = fmt::format("($2*{}):(${}*{})", time.factor, column, factor),
-                            .style = style_of(i),
+                            .style = style_of(motions, i),
                             .title = motions[i].title});
   return panel;
 }

@@ -30,7 +30,9 @@ ContactStack::ContactStack(LAMMPS* lmp, IContactHistorySetup* history, bool is_w
     : ContactModelBase(lmp, is_wall),
       code_(code),
       surface_(lmp, history, this),
-      normal_(lmp, history, this),
+      normal_(
+          choose<NormalModelBase, NormalModel, FRACTIONAL, FRACTIONAL_KELVIN_VOIGT, FRACTIONAL_HERTZ, FRACTIONAL_ZENER>(
+              field(code, 0), lmp, history, this)),
       cohesion_(choose<CohesionModelBase, CohesionModel, COHESION_OFF, COHESION_SJKR, COHESION_SJKR2,
                        COHESION_EASO_CAPILLARY_VISCOUS, COHESION_WASHINO_CAPILLARY_VISCOUS>(field(code, 2), lmp,
                                                                                             history, this)),
@@ -43,7 +45,7 @@ ContactStack::ContactStack(LAMMPS* lmp, IContactHistorySetup* history, bool is_w
 
 void ContactStack::registerSettings(Settings& settings) {
   surface_.registerSettings(settings);
-  normal_.registerSettings(settings);
+  normal_->registerSettings(settings);
   cohesion_->registerSettings(settings);
   tangential_->registerSettings(settings);
   rolling_->registerSettings(settings);
@@ -51,7 +53,7 @@ void ContactStack::registerSettings(Settings& settings) {
 
 void ContactStack::postSettings(IContactHistorySetup* history) {
   surface_.postSettings(history, this);
-  normal_.postSettings(history, this);
+  normal_->postSettings(history, this);
   cohesion_->postSettings(history, this);
   tangential_->postSettings(history, this);
   rolling_->postSettings(history, this);
@@ -59,7 +61,7 @@ void ContactStack::postSettings(IContactHistorySetup* history) {
 
 void ContactStack::connectToProperties(PropertyRegistry& registry) {
   surface_.connectToProperties(registry);
-  normal_.connectToProperties(registry);
+  normal_->connectToProperties(registry);
   cohesion_->connectToProperties(registry);
   tangential_->connectToProperties(registry);
   rolling_->connectToProperties(registry);

@@ -6,9 +6,9 @@
 
 namespace ricochet::liggghts {
 
-/// The stack of models that LIGGGHTS's pair and wall styles drive, with the fractional law as its normal model and
-/// tangential, cohesion and rolling models chosen at run time. One class serves all combinations: LIGGGHTS would
-/// instantiate a template for each, 75 of them twice over.
+/// The stack of models that LIGGGHTS's pair and wall styles drive, with one of ours as the normal model, and
+/// tangential, cohesion and rolling models, chosen at run time. One class serves all combinations: LIGGGHTS would
+/// instantiate a template for each, 300 of them twice over.
 class ContactStack : public LIGGGHTS::ContactModels::ContactModelBase {
  public:
   ContactStack(LIGGGHTS::LAMMPS* lmp, LIGGGHTS::IContactHistorySetup* history, bool is_wall, std::int64_t code);
@@ -17,7 +17,7 @@ class ContactStack : public LIGGGHTS::ContactModels::ContactModelBase {
   void registerSettings(Settings& settings);
   void postSettings(LIGGGHTS::IContactHistorySetup* history);
   void connectToProperties(PropertyRegistry& registry);
-  double stressStrainExponent() { return normal_.stressStrainExponent(); }
+  double stressStrainExponent() { return normal_->stressStrainExponent(); }
   bool contact_match(const std::string& kind, const std::string& model) const;
   void tally_pp(double, int, int, int) override {}
   void tally_pw(double, int, int, int) override {}
@@ -29,7 +29,7 @@ class ContactStack : public LIGGGHTS::ContactModels::ContactModelBase {
   bool checkSurfaceIntersect(Intersection& pair) { return surface_.checkSurfaceIntersect(pair); }
   void beginPass(Intersection& pass, Forces& on_i, Forces& on_j) {
     surface_.beginPass(pass, on_i, on_j);
-    normal_.beginPass(pass, on_i, on_j);
+    normal_->beginPass(pass, on_i, on_j);
     cohesion_->beginPass(pass, on_i, on_j);
     tangential_->beginPass(pass, on_i, on_j);
     rolling_->beginPass(pass, on_i, on_j);
@@ -38,13 +38,13 @@ class ContactStack : public LIGGGHTS::ContactModels::ContactModelBase {
     rolling_->endPass(pass, on_i, on_j);
     tangential_->endPass(pass, on_i, on_j);
     cohesion_->endPass(pass, on_i, on_j);
-    normal_.endPass(pass, on_i, on_j);
+    normal_->endPass(pass, on_i, on_j);
     surface_.endPass(pass, on_i, on_j);
   }
   // In LIGGGHTS's order: friction and rolling take their limit from the normal force, cohesion included.
   void surfacesIntersect(Intersection& pair, Forces& on_i, Forces& on_j) {
     surface_.surfacesIntersect(pair, on_i, on_j);
-    normal_.surfacesIntersect(pair, on_i, on_j);
+    normal_->surfacesIntersect(pair, on_i, on_j);
     cohesion_->surfacesIntersect(pair, on_i, on_j);
     tangential_->surfacesIntersect(pair, on_i, on_j);
     rolling_->surfacesIntersect(pair, on_i, on_j);
@@ -55,7 +55,7 @@ class ContactStack : public LIGGGHTS::ContactModels::ContactModelBase {
   }
   void surfacesClose(Nearness& pair, Forces& on_i, Forces& on_j) {
     surface_.surfacesClose(pair, on_i, on_j);
-    normal_.surfacesClose(pair, on_i, on_j);
+    normal_->surfacesClose(pair, on_i, on_j);
     cohesion_->surfacesClose(pair, on_i, on_j);
     tangential_->surfacesClose(pair, on_i, on_j);
     rolling_->surfacesClose(pair, on_i, on_j);
@@ -64,7 +64,7 @@ class ContactStack : public LIGGGHTS::ContactModels::ContactModelBase {
  private:
   std::int64_t code_;
   LIGGGHTS::ContactModels::SurfaceModel<LIGGGHTS::ContactModels::SURFACE_DEFAULT> surface_;
-  LIGGGHTS::ContactModels::NormalModel<LIGGGHTS::ContactModels::FRACTIONAL> normal_;
+  std::shared_ptr<LIGGGHTS::ContactModels::NormalModelBase> normal_;
   std::shared_ptr<LIGGGHTS::ContactModels::CohesionModelBase> cohesion_;
   std::shared_ptr<LIGGGHTS::ContactModels::TangentialModelBase> tangential_;
   std::shared_ptr<LIGGGHTS::ContactModels::RollingModelBase> rolling_;

@@ -1,77 +1,97 @@
 #pragma once
 
-#include <ricochet/contact/fractional.hpp>
+#include "first_touch.hpp"
 
 #include <array>
 #include <cstddef>
 
 namespace ricochet::liggghts {
 
-/// One contact under the fractional law (30) with unit coefficient (c^α k^{1−α} = 1), driven as a velocity-Verlet
-/// engine drives it: once a step, with the overlap ζ_n at the step's end and the rate of half a step before,
-///   ζ'_{n−1/2} = (ζ_n − ζ_{n−1})/dt.
-/// Memory is kinematic: a pair of grains multiplies the result by its own coefficient, so that one object serves all
-/// pairs of two materials whatever their masses.
-///
-/// Scheme (derivation in docs/liggghts.md), second order in dt for the velocity, the overlap and the force:
-/// - the rate at the step's end is extrapolated from the last three half-step rates; the arms are stepped exactly for
-///   the rate that is linear over the step, has this end and the exact mean (ζ_n − ζ_{n−1})/dt;
-/// - a contact starts at t_b = t_n − θ dt, θ = ζ_n/(ζ'_{n−1/2} dt). The force rises as (t − t_b)^{1−α}, which the sum
-///   of the engine's kicks integrates to order 2 − α only; the first kick carries the missing part (see start_weight);
-/// - a force that is about to fall through zero within the next step ends in the same way, as a straight line.
-///
-/// What a contact remembers is `size` doubles, all zero before the first touch, in the engine's own history: they
-/// migrate and are written to restart files by the engine.
-class HalfStepContact {
- public:
+/// What a contact remembers: `size` doubles, all zero before the first touch, in the engine's own history. They migrate
+/// and are written to restart files by the engine.
+struct ContactHistory {
   static constexpr std::size_t arm_slots = 12;
   static constexpr std::size_t size = 5 + arm_slots;
   /// History as an engine sees it: step of the last touch plus one (0: never), ζ there, the half-step rates before it
-  /// (the older one 0: not known yet), D^α ζ there, arms.
+  /// (the older one 0: not known yet), the law's force there, arms.
   enum Slot : std::size_t { stamp, overlap, rate, older_rate, force, arms };
-
-  /// 0 ≤ alpha < 1; dt [s] > 0; memory [s] ≥ dt: a contact that lasts longer is carried on by the kernel's spring.
-  /// Throws std::invalid_argument otherwise.
-  HalfStepContact(double alpha, double dt, double memory);
-
-  double alpha() const noexcept { return law_.law().alpha(); }
-  std::size_t arm_count() const noexcept { return law_.arms(); }
-  double kernel_error() const noexcept { return kernel_.error(); }
 
   /// Whether `history` holds a touch at the step before `step` (continuing) or at `step` itself.
   static bool continues(const double* history, double step) noexcept { return history[stamp] == step; }
   static bool is_at(const double* history, double step) noexcept { return history[stamp] == step + 1; }
 
+  /// The force at the last touch where it repels, else 0.
+  static double repulsion(const double* history) noexcept { return history[force] > 0 ? history[force] : 0; }
+};
+
+/// One contact under a law with a fractional memory, driven as a velocity-Verlet engine drives it: once a step, with
+/// the overlap ζ_n at the step's end and the rate of half a step before,
+///   ζ'_{n−1/2} = (ζ_n − ζ_{n−1})/dt.
+/// Law: Fractional, FractionalKelvinVoigt, FractionalHertz, FractionalZener. What it remembers is kinematic: a pair of
+/// grains may multiply the result by its own coefficient, so that one object serves all pairs whose laws differ by a
+/// factor.
+///
+/// Scheme (derivation in docs/liggghts.md), second order in dt for the velocity, the overlap and the force:
+/// - the rate at the step's end is extrapolated from the last three half-step rates; the arms are stepped exactly for
+///   what stretches them (ζ, or ζ^{3/2}) having a rate that is linear over the step, has this end and the exact mean;
+/// - a contact starts at t_b = t_n − θ dt, θ = ζ_n/(ζ'_{n−1/2} dt). There the force rises as a broken power of the
+///   time, which the sum of the engine's kicks integrates to a low order only; the first kick carries the missing part
+///   (see first_touch.hpp);
+/// - a force that is about to fall through zero within the next step ends in the same way, as a straight line.
+template <class Law>
+class LocatedContact : public ContactHistory {
+ public:
+  using Arms = typename Law::Arms;
+
+  /// dt [s] > 0; memory [s] ≥ dt: a contact that lasts longer is carried on by the kernel's spring. Throws
+  /// std::invalid_argument otherwise, and for a law whose force only fades or that gains energy.
+  LocatedContact(const Law& law, double dt, double memory);
+
+  const Law& law() const noexcept { return arms_law_.law(); }
+  std::size_t arm_count() const noexcept { return arms_law_.arms(); }
+  double kernel_error() const noexcept { return kernel_error_; }
+
   /// Steps the contact to the end of step number `step` ≥ 1, ζ = `now` [m] > 0, ζ' = `half_step_rate` half a step
   /// before. A history that was not touched in the step before is stale (the grains have been apart) and starts anew.
   void advance(double* history, double step, double now, double half_step_rate, double dt) const noexcept;
 
-  /// max(0, D^α ζ) [m s^{−α}] at the last touch.
-  static double repulsion(const double* history) noexcept { return history[force] > 0 ? history[force] : 0; }
-
-  /// Energy that the springs hold [m² s^{−α}], per unit coefficient, while the contact repels; else 0.
+  /// Energy that the springs hold [J] while the contact repels; else 0.
   double stored_energy(const double* history) const noexcept;
-  /// Energy lost [m² s^{−α}] over the step of length dt between two states of one contact, per unit coefficient: what
-  /// the dashpots burn, by the trapezoid; what the springs still hold when repulsion ends is lost there. The work of
-  /// the repulsion is this plus the change of stored_energy, to order 2 − α over a contact (the power starts as
-  /// (t − t_b)^{1−α}).
+  /// Energy lost [J] over the step of length dt between two states of one contact: what the dashpots burn, by the
+  /// trapezoid; what the springs still hold when repulsion ends is lost there. The work of the repulsion is this plus
+  /// the change of stored_energy, to order 2 − α over a contact (the power starts as (t − t_b)^{1−α}).
   double dissipated_energy(const double* before, const double* after, double dt) const noexcept;
 
  private:
+  static Approach stretched(Approach a) noexcept {
+    if constexpr (requires { Arms::stretched(a); }) return Arms::stretched(a);
+    return a;
+  }
   void start(double* history, double now, double half_step_rate, double dt) const noexcept;
   void go_on(double* history, double now, double dt) const noexcept;
   double step_otherwise(double* history, Approach before, Approach after, double dt) const noexcept;
-  FractionalArms::Memory memory_of(const double* history) const noexcept;
+  typename Arms::Memory memory_of(const double* history) const noexcept;
 
-  MemoryKernel kernel_;
-  FractionalArms law_;
+  LocatedContact(const Law& law, const MemoryKernel& kernel, double dt)
+      : kernel_error_(kernel.error()), arms_law_(law, kernel, dt) {}
+
+  double kernel_error_ = 0;
+  Arms arms_law_;
 };
 
-/// Weight w(θ) of the first kick after a touch that lies θ of a step back, 0 < θ ≤ 1: a force (t − t_b)^p, summed as
-/// dt Σ_{k≥0} F((k + θ) dt) with w(θ) dt^p in place of the first F, has no start error of order 1 + p.
-/// w(θ) = −ζ(−p, 1+θ), the Hurwitz zeta function, by Euler–Maclaurin; |error| < 1e-7 for 0 ≤ p ≤ 1.
-/// Source: I. Navot, J. Math. and Phys. 40, 271 (1961).
-double start_weight(double p, double theta) noexcept;
+/// The fractional law (30) with unit coefficient, c^α k^{1−α} = 1: `repulsion` is max(0, D^α ζ) [m s^{−α}].
+class HalfStepContact : public LocatedContact<Fractional> {
+ public:
+  /// 0 ≤ alpha < 1.
+  HalfStepContact(double alpha, double dt, double memory) : LocatedContact(Fractional(1, 1, alpha), dt, memory) {}
+
+  double alpha() const noexcept { return law().alpha(); }
+};
+
+extern template class LocatedContact<Fractional>;
+extern template class LocatedContact<FractionalKelvinVoigt>;
+extern template class LocatedContact<FractionalHertz>;
+extern template class LocatedContact<FractionalZener>;
 
 // The hot path, called for every contact and step.
 
@@ -93,8 +113,9 @@ inline double last_weighted(double force, double previous) noexcept {
 
 }  // namespace half_step
 
-inline void HalfStepContact::advance(double* history, double step, double now, double half_step_rate,
-                                     double dt) const noexcept {
+template <class Law>
+inline void LocatedContact<Law>::advance(double* history, double step, double now, double half_step_rate,
+                                         double dt) const noexcept {
   if (continues(history, step))
     go_on(history, now, dt);
   else
@@ -103,12 +124,16 @@ inline void HalfStepContact::advance(double* history, double step, double now, d
   history[overlap] = now;
 }
 
-inline void HalfStepContact::go_on(double* history, double now, double dt) const noexcept {
+template <class Law>
+inline void LocatedContact<Law>::go_on(double* history, double now, double dt) const noexcept {
   const double mean = (now - history[overlap]) / dt;
   const double end = half_step::rate_at_end(mean, history[rate], history[older_rate]);
-  const Approach before{history[overlap], 2 * mean - end}, after{now, end};
-  const double force_now = dt == law_.step() ? law_.advance_step<arm_slots>(history + arms, before, after)
-                                             : step_otherwise(history, before, after, dt);
+  const double from = stretched({history[overlap], 0}).overlap;
+  const Approach after = stretched({now, end});
+  const Approach before{from, 2 * ((after.overlap - from) / dt) - after.rate};
+  const double force_now = dt == arms_law_.step()
+                               ? arms_law_.template advance_step<arm_slots>(history + arms, before, after)
+                               : step_otherwise(history, before, after, dt);
   history[older_rate] = history[rate];
   history[rate] = mean;
   history[force] = half_step::last_weighted(force_now, history[force]);

@@ -1,36 +1,74 @@
 #include "pair_law.hpp"
 
-#include <ricochet/collision/fractional_contact.hpp>
-#include <ricochet/collision/reduction.hpp>
 #include <ricochet/support/require.hpp>
 
 #include <cmath>
 
 namespace ricochet::liggghts {
 
-PairLaw::PairLaw(const HalfStepContact& contact) : contact_(contact) {
-  const auto ideal = fractional_contact(contact.alpha());
-  z_star_ = ideal.z_star;
-  en_ = ideal.en;
-  const Linear linear = Reduction<Linear>::unit(en_, ContactEnd::overlap)->law;
-  linear_stiffness_ = linear.k();
-  linear_damping_ = linear.c();
+namespace {
+
+constexpr double nodes_per_octave = 12;
+
+template <class Law>
+std::optional<UnitLaw<Law>> unit_of(double en, const Held& held) {
+  if constexpr (HoldsDegree<Law>)
+    return Reduction<Law>::unit(en, ContactEnd::force, held);
+  else
+    return Reduction<Law>::unit(en, ContactEnd::force);
 }
 
-PairLaw PairLaw::from_target(double tcol, double en, const ContactFor& contact_for) {
+}  // namespace
+
+template <class Law>
+PairLaw<Law> PairLaw<Law>::from_target(double tcol, double en, const Held& held, double velocity,
+                                       const ContactFor<Law>& contact_for) {
   support::require_positive("collisionTime", tcol);
   support::require(en > 0 && en <= 1, "coefficientRestitution", en, "0 < en <= 1");
-  PairLaw law(contact_for(conversion_degree(en)));
-  law.tcol_ = tcol;
-  law.per_mass_ = law.z_star_ / std::pow(tcol, 2 - law.contact_.alpha());
-  return law;
+  const auto unit = unit_of<Law>(en, held);
+  support::require(unit.has_value(), "coefficientRestitution", en,
+                   "one that the law reaches with this fractionalAlpha");
+  const auto law = Reduction<Law>::in_si(unit->law, tcol, {velocity, 1});
+  support::require(law.has_value(), "collisionTime", tcol, "one whose coefficients a double carries");
+  PairLaw pair(contact_for(*law), velocity);
+  pair.target_ = Outcome{std::log(tcol), -std::log(en)};
+  return pair;
 }
 
-PairLaw PairLaw::from_parameters(double k, double c, double alpha, const ContactFor& contact_for) {
-  const double coefficient = Fractional(k, c, alpha).coefficient();
-  PairLaw law(contact_for(alpha));
-  law.coefficient_ = coefficient;
-  return law;
+template <class Law>
+PairLaw<Law> PairLaw<Law>::from_parameters(const Law& law, double velocity, const ContactFor<Law>& contact_for) {
+  return {contact_for(law), velocity};
 }
+
+template <class Law>
+LinearEquivalent PairLaw<Law>::linear_equivalent(double mass_eff) const {
+  const Outcome out = outcome(mass_eff);
+  const auto [k, c] = Reduction<Linear>::values_by_overlap(out.loss);
+  const double per_time = std::exp(-out.log_tcol);
+  return {k * mass_eff * per_time * per_time, c * mass_eff * per_time};
+}
+
+// Of the fractional law ln t_col is linear in ln m, so that nothing is lost between the nodes.
+template <class Law>
+typename PairLaw<Law>::Outcome PairLaw<Law>::outcome(double mass_eff) const {
+  if (target_) return *target_;
+  const double at = nodes_per_octave * std::log2(mass_eff), low = std::floor(at), part = at - low;
+  const Outcome &below = node(static_cast<int>(low)), &above = node(static_cast<int>(low) + 1);
+  return {below.log_tcol + part * (above.log_tcol - below.log_tcol), below.loss + part * (above.loss - below.loss)};
+}
+
+template <class Law>
+const typename PairLaw<Law>::Outcome& PairLaw<Law>::node(int place) const {
+  if (const auto known = nodes_.find(place); known != nodes_.end()) return known->second;
+  const double mass = std::exp2(place / nodes_per_octave);
+  const Collision out = collide(contact_.law(), {velocity_, mass}, {});
+  support::require(out.separated(), "mass", mass, "one with which this contact ends");
+  return nodes_.emplace(place, Outcome{std::log(out.tcol), -std::log(out.en)}).first->second;
+}
+
+template class PairLaw<Fractional>;
+template class PairLaw<FractionalKelvinVoigt>;
+template class PairLaw<FractionalHertz>;
+template class PairLaw<FractionalZener>;
 
 }  // namespace ricochet::liggghts

@@ -2,8 +2,11 @@
 
 #include "half_step_contact.hpp"
 
-#include <cmath>
+#include <ricochet/collision/reduction.hpp>
+
 #include <functional>
+#include <map>
+#include <optional>
 
 namespace ricochet::liggghts {
 
@@ -14,41 +17,51 @@ struct LinearEquivalent {
   double damping;
 };
 
-/// Finds the contact for a conversion degree; an engine keeps those it has made, as their kernels take a fit each.
-using ContactFor = std::function<const HalfStepContact&(double alpha)>;
+/// Finds the contact of a law; an engine keeps those it has made, as their kernels take a fit each.
+template <class Law>
+using ContactFor = std::function<const LocatedContact<Law>&(const Law&)>;
 
-/// The fractional law between grains of two materials: the contact that all their pairs share and what turns it into
-/// one pair's force. Immutable.
+/// A law between grains of two materials: the contact that all their pairs share, what turns it into one pair's force,
+/// and how that pair collides. Of fractional-hertz alone the collision depends on the `velocity` [m/s]: it is the one
+/// at which all of this holds.
+template <class Law>
 class PairLaw {
  public:
-  /// Every pair has the collision time tcol [s] and the restitution en, 0 < en ≤ 1: α = conversion_degree(en) and
-  /// A = z*(α)/tcol^{2−α}, so the coefficient m A is proportional to the pair's effective mass.
-  /// Throws std::invalid_argument.
-  static PairLaw from_target(double tcol, double en, const ContactFor& contact_for);
+  /// Every pair has the collision time tcol [s] and the restitution en, 0 < en ≤ 1, with what `held` leaves open: all
+  /// coefficients are proportional to the pair's effective mass. Throws std::invalid_argument, also for a restitution
+  /// that is not reached.
+  static PairLaw from_target(double tcol, double en, const Held& held, double velocity,
+                             const ContactFor<Law>& contact_for);
 
-  /// Every pair has the coefficient c^α k^{1−α} of Eq. (30), k [kg/s²], c [kg/s], 0 ≤ α < 1, whatever its mass.
-  static PairLaw from_parameters(double k, double c, double alpha, const ContactFor& contact_for);
+  /// Every pair has this law, whatever its mass. Throws std::invalid_argument for one whose contact does not end.
+  static PairLaw from_parameters(const Law& law, double velocity, const ContactFor<Law>& contact_for);
 
-  const HalfStepContact& contact() const noexcept { return contact_; }
-  /// c^α k^{1−α} [kg s^{α−2}] of a pair of effective mass `mass_eff` [kg].
-  double coefficient(double mass_eff) const noexcept { return tcol_ > 0 ? per_mass_ * mass_eff : coefficient_; }
-  double tcol(double mass_eff) const noexcept {
-    return tcol_ > 0 ? tcol_ : std::pow(z_star_ * mass_eff / coefficient_, 1 / (2 - contact_.alpha()));
-  }
-  double en() const noexcept { return en_; }
-  LinearEquivalent linear_equivalent(double mass_eff) const noexcept {
-    const double per_time = 1 / tcol(mass_eff);
-    return {linear_stiffness_ * mass_eff * per_time * per_time, linear_damping_ * mass_eff * per_time};
-  }
+  const LocatedContact<Law>& contact() const noexcept { return contact_; }
+  /// What the contact's force is multiplied by, for a pair of effective mass `mass_eff` [kg].
+  double coefficient(double mass_eff) const noexcept { return target_ ? mass_eff : 1; }
+  /// [s]; from parameters between collisions of masses a twelfth of an octave apart, to 1e-4.
+  double tcol(double mass_eff) const { return std::exp(outcome(mass_eff).log_tcol); }
+  double en(double mass_eff) const { return std::exp(-outcome(mass_eff).loss); }
+  LinearEquivalent linear_equivalent(double mass_eff) const;
 
  private:
-  explicit PairLaw(const HalfStepContact& contact);
+  struct Outcome {
+    double log_tcol, loss;  // ln t_col [s], −ln e_n
+  };
 
-  HalfStepContact contact_;
-  double z_star_, en_;
-  double linear_stiffness_, linear_damping_;  // π² + ln² e_n and −2 ln e_n, those of m = t_col = 1
-  double tcol_ = 0, per_mass_ = 0;            // from a target
-  double coefficient_ = 0;                    // from parameters
+  PairLaw(const LocatedContact<Law>& contact, double velocity) : contact_(contact), velocity_(velocity) {}
+  Outcome outcome(double mass_eff) const;
+  const Outcome& node(int place) const;
+
+  LocatedContact<Law> contact_;
+  double velocity_;
+  std::optional<Outcome> target_;
+  mutable std::map<int, Outcome> nodes_;  // those that were asked for: a run's grains are of few sizes
 };
+
+extern template class PairLaw<Fractional>;
+extern template class PairLaw<FractionalKelvinVoigt>;
+extern template class PairLaw<FractionalHertz>;
+extern template class PairLaw<FractionalZener>;
 
 }  // namespace ricochet::liggghts

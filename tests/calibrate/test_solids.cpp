@@ -23,7 +23,8 @@ std::vector<double> found(const Request& request) {
   const auto direct = std::get<Calibration>(calibrate(request, {.method = Method::direct}));
   CHECK(searched.method == Method::nlopt);
   CHECK(searched.cross_difference < 1e-9);
-  const auto ours = values(searched.law), theirs = values(direct.law);
+  auto ours = values(searched.law);
+  const auto theirs = values(direct.law);
   for (std::size_t i = 0; i < ours.size(); ++i) CHECK(ours[i] == Approx(theirs[i]).epsilon(1e-9));
   const auto tables = DirectCalibrator()(request);
   CHECK(values(std::get<AnyLaw>(tables)) == theirs);
@@ -76,6 +77,18 @@ TEST_CASE("what calibration finds does it on Maxwell arms too, in a column of on
     const double coarse = kept(500), fine = kept(1000);
     CHECK(fine + (fine - coarse) / 3 == Approx(0.7).epsilon(1e-5));
   }
+}
+
+TEST_CASE("what the direct calibrator keeps of an en serves every time and impact to the bit", "[solids]") {
+  const DirectCalibrator kept;
+  for (const LawKind law : {kind_of<FractionalKelvinVoigt>, kind_of<FractionalHertz>, kind_of<FractionalZener>})
+    for (const Held& held : {Held{}, Held{.alpha = 0.3, .stiffening = 40}})
+      for (const auto& [tcol, velocity] : {std::pair{1e-4, 0.5}, {3e-5, 0.5}, {1e-4, 2.0}}) {
+        const Request request{
+            .law = law, .end = ContactEnd::force, .target = {tcol, 0.8, {velocity, 7e-6}}, .held = held};
+        const auto alone = std::get<Calibration>(calibrate(request, {.method = Method::direct}));
+        CHECK(values(std::get<AnyLaw>(kept(request))) == values(alone.law));
+      }
 }
 
 TEST_CASE("fitted at one speed fractional-hertz goes with v^(alpha/5)", "[solids]") {

@@ -7,6 +7,7 @@
 #include <ricochet/collision/oblique.hpp>
 #include <ricochet/collision/reach.hpp>
 #include <ricochet/collision/reduction.hpp>
+#include <ricochet/collision/solvers/solid_series.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -155,6 +156,21 @@ TEST_CASE("Kelvin-Voigt by its transform is what its Volterra equation says") {
       const Collision closed = collide(law, impact);
       check_agree(collide(law, impact, numerical), closed, 1e-11 + 1e-14 / closed.en);
     }
+}
+
+TEST_CASE("the linear laws by their transforms are their power series") {
+  for (const double alpha : {0.1, 0.33, 0.5, 0.9, 1.0})
+    for (const double scale : {0.3, 1.0, 3.0}) {
+      CAPTURE(alpha, scale);
+      const FractionalKelvinVoigt voigt(1, scale, alpha);
+      const SeriesRebound v = series_rebound(voigt);
+      check_ends(collide(voigt, unit), v.tcol, v.en, 2e-12);
+      const FractionalZener zener(1, 2 * scale, 0.5, alpha);
+      const SeriesRebound z = series_rebound(zener);
+      check_ends(collide(zener, unit), z.tcol, z.en, 2e-12);
+    }
+  CHECK_THROWS_WITH(series_rebound(FractionalKelvinVoigt(1, 1, 0.123)), Catch::Contains("alpha = 0.123"));
+  CHECK_THROWS_WITH(series_rebound(FractionalKelvinVoigt(1e-4, 1e-6, 0.5)), Catch::Contains("tcol = 10"));
 }
 
 TEST_CASE("Zener by its transform is what its Maxwell arms say") {

@@ -1,6 +1,7 @@
 #include <half_step_contact.hpp>
 
 #include <ricochet/collision/fractional_contact.hpp>
+#include <ricochet/collision/reduction.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -22,9 +23,10 @@ struct Bounce {
 };
 
 /// A unit mass that meets a wall at unit speed, by velocity Verlet; the touch lies at `phase` of a step. t_col = 1.
-Bounce bounce(double alpha, int steps_per_contact, double phase) {
-  const double dt = 1.0 / steps_per_contact, coefficient = fractional_contact(alpha).z_star;
-  const HalfStepContact contact(alpha, dt, 2);
+template <class Law>
+Bounce bounce(const Law& law, int steps_per_contact, double phase) {
+  const double dt = 1.0 / steps_per_contact;
+  const LocatedContact<Law> contact(law, dt, 2);
   History history{};
   double overlap = -(2 + phase) * dt, rate = 1, force = 0, dissipated = 0;
   for (int step = 1; step <= 2 * steps_per_contact; ++step) {
@@ -34,8 +36,8 @@ Bounce bounce(double alpha, int steps_per_contact, double phase) {
     if (overlap > 0) {
       const History before = history;
       contact.advance(history.data(), step, overlap, rate, dt);
-      force = coefficient * HalfStepContact::repulsion(history.data());
-      dissipated += coefficient * contact.dissipated_energy(before.data(), history.data(), dt);
+      force = ContactHistory::repulsion(history.data());
+      dissipated += contact.dissipated_energy(before.data(), history.data(), dt);
     }
     rate -= 0.5 * dt * force;
   }
@@ -54,7 +56,7 @@ TEST_CASE(
     for (int steps : {50, 100, 200, 400}) {
       worst.push_back(0), leak.push_back(0);
       for (double phase : phases) {
-        const Bounce b = bounce(alpha, steps, phase);
+        const Bounce b = bounce(Reduction<Fractional>::of_degree(alpha), steps, phase);
         worst.back() = std::max(worst.back(), std::abs(b.en / en - 1));
         leak.back() = std::max(leak.back(), std::abs(b.unbalanced));
       }
@@ -63,6 +65,51 @@ TEST_CASE(
     CHECK(std::log2(worst[0] / worst[3]) / 3 == Approx(2).margin(0.15));
     // The dashpots' power starts as t^{1−α}, which the trapezoid sums to order 2 − α.
     CHECK(std::log2(leak[0] / leak[3]) / 3 == Approx(2 - alpha).margin(0.15));
+  }
+}
+
+namespace {
+
+struct Orders {
+  double en, leak;
+};
+
+/// Largest over the phases, between 50 and 400 steps; of what is not balanced the order.
+template <class Law>
+Orders observed_orders(const Law& law) {
+  const double en = collide(law, {1, 1}).en;
+  std::vector<double> worst, leak;
+  for (int steps : {50, 100, 200, 400}) {
+    worst.push_back(0), leak.push_back(0);
+    for (double phase : phases) {
+      const Bounce b = bounce(law, steps, phase);
+      worst.back() = std::max(worst.back(), std::abs(b.en / en - 1));
+      leak.back() = std::max(leak.back(), std::abs(b.unbalanced));
+    }
+  }
+  CAPTURE(worst, leak);
+  CHECK(worst[0] <= 1e-3);
+  return {std::log2(worst[0] / worst[3]) / 3, std::log2(leak[0] / leak[3]) / 3};
+}
+
+template <class Law>
+Law taking_unit_time(double en, const Held& held) {
+  return Reduction<Law>::unit(en, ContactEnd::force, held)->law;
+}
+
+}  // namespace
+
+TEST_CASE("A bounce under a law of a real solid is of second order too") {
+  for (double alpha : {0.25, 0.5, 0.8}) {
+    CAPTURE(alpha);
+    const auto voigt = observed_orders(taking_unit_time<FractionalKelvinVoigt>(0.7, {alpha}));
+    CHECK(voigt.en == Approx(2).margin(0.15));
+    CHECK(voigt.leak == Approx(2 - alpha).margin(0.2));  // as above
+    const auto zener = observed_orders(taking_unit_time<FractionalZener>(0.8, {alpha, 30}));
+    CHECK(zener.en == Approx(2).margin(0.15));
+    const auto hertz = observed_orders(taking_unit_time<FractionalHertz>(0.7, {alpha}));
+    CHECK(hertz.en == Approx(2).margin(0.15));
+    CHECK(hertz.leak == Approx(std::min(2.0, 2.5 - alpha)).margin(0.2));
   }
 }
 
@@ -83,6 +130,36 @@ TEST_CASE("At a constant rate the force is the derivative's closed form, whateve
               Approx(v * std::pow(t, 1 - alpha) / std::tgamma(2 - alpha)).epsilon(2 * contact.kernel_error()));
     }
   }
+}
+
+namespace {
+
+/// The work up to a time grows with the force there, which the contact has by its arms.
+template <class Law>
+void check_work(const Law& law) {
+  const double dt = 0.01, v = 0.7;
+  const LocatedContact<Law> contact(law, dt, 10);
+  History history{};
+  for (int step = 1; step <= 60; ++step) {
+    const double t = (step - 0.6) * dt, h = 1e-4 * t;
+    contact.advance(history.data(), step, v * t, v, dt);
+    if (step < 10) continue;  // the Hertzian law's rate is no polynomial at the start
+    CAPTURE(Law::name, law.alpha(), step);
+    REQUIRE((first_work(law, v, t + h) - first_work(law, v, t - h)) / (2 * h * v) ==
+            Approx(ContactHistory::repulsion(history.data())).epsilon(1e-3));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("At a constant rate the work grows with the force") {
+  for (double alpha : {0.0, 0.3, 0.8}) {
+    check_work(Fractional(2, 3, alpha));
+    check_work(FractionalKelvinVoigt(2, 3, alpha));
+    check_work(FractionalHertz(2, 3, alpha));
+    check_work(FractionalZener(2, 3, 0.1, alpha));
+  }
+  check_work(FractionalKelvinVoigt(2, 3, 1));
 }
 
 TEST_CASE("Without memory the contact is a spring that keeps all energy") {

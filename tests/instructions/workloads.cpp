@@ -121,11 +121,14 @@ void column(const std::string& name, const Law& plate, const Law& pair) {
 
 void columns() {
   column("column_linear", PressedColumn::plate<Linear>(kind_of<Linear>), PressedColumn::pair<Linear>(kind_of<Linear>));
-  const auto plate = PressedColumn::plate<Fractional>(kind_of<Fractional>);
-  const auto pair = PressedColumn::pair<Fractional>(kind_of<Fractional>);
-  const MemoryKernel kernel = workloads::kernel_of(12, pair.alpha(), PressedColumn::step);
-  column("column_fractional", FractionalArms(plate, kernel, PressedColumn::step),
-         FractionalArms(pair, kernel, PressedColumn::step));
+  const auto on_arms = [&]<class Law>(const std::string& name, std::type_identity<Law>) {
+    column(name, workloads::on_12_arms(PressedColumn::plate<Law>(kind_of<Law>), PressedColumn::step),
+           workloads::on_12_arms(PressedColumn::pair<Law>(kind_of<Law>), PressedColumn::step));
+  };
+  on_arms("column_fractional", std::type_identity<Fractional>{});
+  on_arms("column_kelvin_voigt", std::type_identity<FractionalKelvinVoigt>{});
+  on_arms("column_zener", std::type_identity<FractionalZener>{});
+  on_arms("column_hertz", std::type_identity<FractionalHertz>{});
 }
 
 void clusters() {

@@ -18,6 +18,7 @@
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
 #include <ricochet/collision/solvers/hertzian_forms.hpp>
 #include <ricochet/collision/solvers/permanent_contact.hpp>
+#include <ricochet/collision/solvers/solid_series.hpp>
 #include <ricochet/collision/solvers/sphere_elements.hpp>
 #include <ricochet/collision/tangential_restitution.hpp>
 #include <ricochet/collision/trace.hpp>

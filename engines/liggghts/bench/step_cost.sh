@@ -1,16 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Time of a step of `model fractional` beside LIGGGHTS's own `model hooke`, both with tangential history, in a settled
-# packing: 1000 grains and the same ten times over. Each model settles its packing itself, so that both hold as many
-# contacts. Prints a Markdown table; microseconds a step, the least of REPEATS runs taken in turn.
-#   step_cost.sh [PATH-OF-liggghts-ricochet]      REPEATS=5 STEPS=1000 by default
+# Time of a step of our models beside LIGGGHTS's own `model hooke`, all with tangential history, in a settled packing:
+# 1000 grains and the same ten times over. Each model settles its packing itself, so that all hold as many contacts.
+# Prints a Markdown table; microseconds of CPU time a step on one rank, the least of REPEATS runs taken in turn: what
+# else the machine does then counts least.
+#   step_cost.sh [PATH-OF-liggghts-ricochet]      REPEATS=5 STEPS=1000 by default, a fourth of it for 10000 grains
+#   MODELS="hooke fractional-zener" by default all; the first is what the others are compared with
 
 set -euo pipefail
 
 driver=${1:-$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../../build/release/bin/liggghts-ricochet}
 driver=$(readlink -f "$driver")
 repeats=${REPEATS:-5} steps=${STEPS:-1000}
+read -ra models <<<"${MODELS:-hooke fractional fractional-kelvin-voigt fractional-hertz fractional-zener}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -61,11 +64,12 @@ write_restart $1.$2.restart
 dump last all custom 1 $1.$2.dump id x y z
 dump_modify last sort id format \"%d %.9g %.9g %.9g\"
 run 0"; } >settle.deck
-  run 1 settle.deck
+  run settle.deck
 }
 
-run() { # RANKS DECK
-  mpirun --allow-run-as-root --oversubscribe -np "$1" "$driver" -in "$2" >run.out || { grep ERROR run.out >&2; exit 4; }
+run() { # DECK: its CPU time [s] in cpu.out
+  local TIMEFORMAT='%U %S'
+  { time "$driver" -in "$1" >run.out; } 2>cpu.out || { grep ERROR run.out >&2; exit 4; }
 }
 
 side_by_side() { # NX NY < dump: the packing repeated
@@ -77,33 +81,37 @@ side_by_side() { # NX NY < dump: the packing repeated
     /ITEM: ATOMS/ { seen = 1 }'
 }
 
-time_of() { # MODEL GRAINS RANKS: microseconds a step, contacts a grain
+cpu_of() { # MODEL GRAINS STEPS: CPU time of a run [s], contacts a grain
   { common; echo "read_restart $1.$2.restart"; physics "$1"
     echo "compute touching all contact/atom
 compute mean all reduce ave c_touching
 thermo_style custom step atoms c_mean
 thermo 100000
-run 50
-run $steps"; } >run.deck
-  run "$3" run.deck
-  awk -v steps="$steps" '/^Loop time/ { time = $4; contacts = last } { last = $3 }
-    END { printf "%.1f %.2f\n", 1e6 * time / steps, contacts }' run.out
+run $3"; } >run.deck
+  run run.deck
+  awk '/^Loop time/ { contacts = last } { last = $3 } END { print contacts }' run.out | paste cpu.out -
 }
 
-for model in hooke fractional; do
+time_of() { # MODEL GRAINS STEPS: microseconds a step, contacts a grain
+  { cpu_of "$1" "$2" 10; cpu_of "$1" "$2" $((10 + $3)); } | awk -v steps="$3" '
+    { time = $1 + $2 - time; contacts = $3 } END { printf "%.1f %.2f\n", 1e6 * time / steps, contacts }'
+}
+
+for model in "${models[@]}"; do
   settle "$model" 1000 25000 <loose.data
   side_by_side 5 2 <"$model.1000.dump" >ten.data
   settle "$model" 10000 4000 <ten.data
 done
 
-printf '| grains | ranks | hooke [µs] | fractional [µs] | ratio | contacts a grain |\n|---:|---:|---:|---:|---:|---:|\n'
+printf '| grains | model | a step [µs] | of %s | contacts a grain |\n|---:|---|---:|---:|---:|\n' "${models[0]}"
 for grains in 1000 10000; do
-  for ranks in 1 2; do
-    for ((i = 0; i < repeats; i++)); do
-      echo "$(time_of hooke "$grains" "$ranks") $(time_of fractional "$grains" "$ranks")"
-    done | awk -v grains="$grains" -v ranks="$ranks" '
-      NR == 1 || $1 < hooke { hooke = $1 } NR == 1 || $3 < fractional { fractional = $3 }
-      END { printf "| %d | %d | %.0f | %.0f | %.2f | %s, %s |\n", grains, ranks, hooke, fractional, fractional / hooke,
-                   $2, $4 }'
-  done
+  for ((i = 0; i < repeats; i++)); do
+    for model in "${models[@]}"; do
+      echo "$model $(time_of "$model" "$grains" $((grains == 1000 ? steps : steps / 4)))"
+    done
+  done | awk -v grains="$grains" '
+    !($1 in least) { order[++count] = $1; least[$1] = $2; contacts[$1] = $3 }
+    $2 < least[$1] { least[$1] = $2 }
+    END { for (i = 1; i <= count; i++) { m = order[i]
+      printf "| %d | %s | %.0f | %.2f | %s |\n", grains, m, least[m], least[m] / least[order[1]], contacts[m] } }'
 done

@@ -16,6 +16,11 @@ namespace fs = std::filesystem;
 
 double Grain::mass() const { return 4 * std::numbers::pi / 3 * radius * radius * radius * density; }
 
+std::vector<Model> our_models() {
+  const std::string scalar = "fix velocity all property/global characteristicVelocity scalar 0.5\n";
+  return {{"fractional", ""}, {"fractional-kelvin-voigt", ""}, {"fractional-hertz", scalar}, {"fractional-zener", ""}};
+}
+
 std::string number(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.17g", value);

@@ -30,7 +30,15 @@ struct Box {
   int types = 1;
 };
 
-/// A folder of its own in which decks are run by the driver with `model fractional`.
+/// A normal model of ours, with the properties that it takes beside collisionTime and coefficientRestitution, for
+/// impacts of 0.5 m/s.
+struct Model {
+  std::string name, properties;
+};
+/// All of them, the fractional law first.
+std::vector<Model> our_models();
+
+/// A folder of its own in which decks are run by the driver with one of our models.
 class Workplace {
  public:
   explicit Workplace(const std::string& name);

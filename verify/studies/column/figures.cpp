@@ -1,6 +1,7 @@
 #include "figures.hpp"
 
 #include <console/gnuplot.hpp>
+#include <console/law_colour.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -22,27 +23,27 @@ std::string csv(const std::string& abscissa, const std::vector<double>& x, const
   return text;
 }
 
-/// Colours that are told apart in print and by colour-blind readers (Okabe and Ito); shapes say the same again.
+/// In the law's colour; shapes say the same again.
 std::string styled(const std::string& id) {
   struct Style {
-    const char *id, *colour;
+    const char* id;
     int point;
   };
-  constexpr Style styles[] = {{"event-driven", "#000000", 0},
-                              {"linear1", "#56B4E9", 4},
-                              {"linear2", "#0072B2", 1},
-                              {"kuwabara-kono", "#009E73", 8},
-                              {"tsuji", "#E69F00", 10},
-                              {"hysteretic", "#CC79A7", 12},
-                              {"fractional", "#D55E00", 7},
-                              {"fractional alpha=0.0258", "#D55E00", 6},
-                              {"fractional alpha(nc)", "#D55E00", 5}};
+  constexpr Style styles[] = {{"event-driven", 0},
+                              {"linear1", 4},
+                              {"linear2", 1},
+                              {"kuwabara-kono", 8},
+                              {"tsuji", 10},
+                              {"hysteretic", 12},
+                              {"fractional", 7},
+                              {"fractional alpha=0.0258", 6},
+                              {"fractional alpha(nc)", 5}};
   for (const Style& s : styles)
     if (id == s.id) {
-      if (s.point == 0) return fmt::format("lines lw 2.5 lc rgb '{}'", s.colour);
+      if (s.point == 0) return fmt::format("lines lw 2.5 lc rgb '{}'", console::palette::black);
       const bool fitted = id == "fractional alpha(nc)";
-      return fmt::format("{} lc rgb '{}' pt {} ps {}", fitted ? "points" : "linespoints lw 1.4", s.colour, s.point,
-                         fitted ? "1.0" : "0.8");
+      return fmt::format("{} lc rgb '{}' pt {} ps {}", fitted ? "points" : "linespoints lw 1.4",
+                         console::law_colour(id), s.point, fitted ? "1.0" : "0.8");
     }
   return "linespoints";
 }

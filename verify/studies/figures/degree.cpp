@@ -1,6 +1,7 @@
 #include "drawings.hpp"
 
 #include <console/gnuplot.hpp>
+#include <console/law_colour.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -33,7 +34,9 @@ std::string csv_of(const DegreeSweep& sweep) {
 console::Panel panel_of(const std::string& label, double most, const std::string& columns) {
   return {.x = {.label = "conversion degree α", .range = std::pair(-0.5, 1.0), .label_offset = "0,0.3"},
           .y = {.label = label, .range = std::pair(0.0, most), .label_offset = "1,0"},
-          .curves = {{.file = file, .what = columns, .style = "lines lt 1 lw 2.5"}}};
+          .curves = {{.file = file,
+                      .what = columns,
+                      .style = fmt::format("lines lc rgb '{}' lw 2.5", console::law_colour(Fractional::name))}}};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "../paper.hpp"
 #include "drawings.hpp"
+#include "solids.hpp"
 #include "third_group.hpp"
 
 #include <verify/registry.hpp>
@@ -148,8 +149,10 @@ class Figures : public Study {
     result.tables = {ends(laws), degrees(), figures::table(third)};
     result.gates = gates(laws, sweep);
     for (Gate& gate : figures::gates(third)) result.gates.push_back(std::move(gate));
-    result.figures = {figures::figure2(),     figures::figure3(),    figures::figure4(), figures::degree_figure(sweep),
-                      figures::figure5(laws), figures::disc_figure()};
+    for (Gate& gate : figures::solids_gates()) result.gates.push_back(std::move(gate));
+    result.figures = {
+        figures::figure2(),     figures::figure3(),     figures::figure4(),      figures::degree_figure(sweep),
+        figures::figure5(laws), figures::disc_figure(), figures::solids_figure()};
     result.verdict = fmt::format(
         "Figs. 2-5 with their data; the printed coefficients of Table II end within 0.2 % of t_col = 1e-4 s and e_n = "
         "0.5. Below alpha = 0 the overlap ends the collision, the sooner the smaller alpha: t_col falls from {:.2f} µs "

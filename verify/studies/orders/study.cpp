@@ -4,6 +4,7 @@
 #include "../selection.hpp"
 #include "../solvers.hpp"
 #include "kernel_table.hpp"
+#include "solids.hpp"
 
 #include <verify/registry.hpp>
 
@@ -82,6 +83,7 @@ std::vector<Convergence> measure_all(const Selection& wanted, bool thorough) {
     for (const double alpha : wanted.alphas())
       if (wanted.scheme(std::string(name(scheme))) && wanted.function("e_n"))
         add(measure(scheme, alpha, wanted.steps(thorough ? 4096 : 2048), stated_against(scheme)).en);
+  for (Convergence& c : measure_solids(wanted)) add(std::move(c));
   return all;
 }
 
@@ -93,6 +95,7 @@ std::vector<std::string> scheme_names(bool thorough) {
     for (const bool restored : {false, true})
       if (thorough) names.push_back(graded_name(l1, restored));
   for (const FractionalScheme scheme : stepping_schemes) names.emplace_back(name(scheme));
+  for (const std::string& scheme : solid_schemes()) names.push_back(scheme);
   return names;
 }
 
@@ -106,7 +109,8 @@ class Orders : public Study {
   }
   void add_options(CLI::App& app) override { wanted_.add_options(app); }
   StudyResult run(const RunOptions& options) override {
-    wanted_.check(scheme_names(options.thorough), {"t", "t^2", "t^3", "sin t", "contact", graded_function, "e_n"});
+    wanted_.check(scheme_names(options.thorough), {"t", "t^2", "t^3", "sin t", "contact", graded_function, "e_n",
+                                                   "e_n less near orders", "t_col, e_n"});
     const std::vector<Convergence> all = measure_all(wanted_, options.thorough);
     StudyResult result = convergence_result(all, wanted_, "orders");
     if (wanted_.everything()) add_kernel_counts(result, options.thorough);

@@ -1,11 +1,13 @@
 #include "restitution.hpp"
 
 #include <console/gnuplot.hpp>
+#include <console/law_colour.hpp>
 #include <console/number.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/power_law_sphere.hpp>
 #include <ricochet/collision/solvers/hertzian_forms.hpp>
 #include <ricochet/collision/solvers/sphere_elements.hpp>
+#include <ricochet/contact/laws.hpp>
 
 #include <fmt/format.h>
 
@@ -88,22 +90,26 @@ Worst worst_of_linear() {
 }
 
 console::Figure figure() {
-  const auto line = [](int column, int colour, const char* title) {
+  const char* const sphere = console::palette::gray;
+  const char* const linear = console::law_colour(Fractional::name);
+  const char* const power = console::law_colour(FractionalHertz::name);  // k = 0 of it
+  const char* const derivative = console::law_colour(KuwabaraKono::name);
+  const auto line = [](int column, const char* colour, const char* title) {
     return console::Curve{.file = "sphere.csv",
                           .what = fmt::format("1:{}", column),
-                          .style = fmt::format("lines lw 2.5 lt {}", colour),
+                          .style = fmt::format("lines lw 2.5 lc rgb '{}'", colour),
                           .title = title};
   };
   const console::Panel left{.title = "restitution",
                             .x = {.label = "α", .range = std::pair(0.0, 0.8)},
                             .y = {.label = "e_n", .range = std::pair(0.0, 1.0)},
-                            .curves = {line(2, 7, "sphere"), line(3, 1, "the paper's law, D^α ζ"),
-                                       line(4, 2, "D^α ζ^{3/2}"), line(5, 3, "ζ^{1/2} D^α ζ")},
+                            .curves = {line(2, sphere, "sphere"), line(3, linear, "the paper's law, D^α ζ"),
+                                       line(4, power, "D^α ζ^{3/2}"), line(5, derivative, "ζ^{1/2} D^α ζ")},
                             .key = "bottom left"};
   const console::Panel right{.title = "what each law is off",
                              .x = {.label = "α", .range = std::pair(0.0, 0.8)},
                              .y = {.label = "%", .range = std::pair(-15.0, 30.0)},
-                             .curves = {line(6, 1, ""), line(7, 2, ""), line(8, 3, "")},
+                             .curves = {line(6, linear, ""), line(7, power, ""), line(8, derivative, "")},
                              .zero_line = true};
   return {.name = "sphere",
           .caption = "Restitution of a power-law sphere over alpha, and of three laws that stand for it.",

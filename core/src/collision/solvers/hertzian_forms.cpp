@@ -70,7 +70,7 @@ HertzianRebound hertzian_rebound(HertzianForm form, double alpha) {
   double after = 2;
   while (event(after) > 0) after += 0.1;
   const double end = support::root(event, after - 0.1, after);
-  return {.en = -at(m.rate, end), .tcol = end};
+  return {.en = -at(m.rate, end), .tcol = end, .terms = static_cast<int>(m.rate.size())};
 }
 
 }  // namespace ricochet

@@ -12,6 +12,7 @@ enum class HertzianForm {
 struct HertzianRebound {
   double en;
   double tcol;  ///< of m = v₀ = 1 and the constant before ζ^{3/2} or ζ^{1/2} 1
+  int terms;    ///< of the series
 };
 
 /// The impact m ζ'' + R = 0 until R = 0. In t^{5/2−α} the motion is a power series as the sphere's approach is; what it
