@@ -145,7 +145,9 @@ Table choice_table(const Answer& all) {
     table.row({c.engine, c.how, c.written});
     if (!c.refusal.empty()) table.note(fmt::format("{}: not written here: {}", c.engine, c.refusal));
   }
-  if (table.rows().empty()) table.note("nothing: under this law en depends on size and velocity");
+  const bool in_overlap = all.materials.law.parameters().front().dimension.metre == 0;
+  if (table.rows().empty())
+    table.note(fmt::format("nothing: under this law en depends on size{}", in_overlap ? "" : " and velocity"));
   return table;
 }
 

@@ -41,6 +41,13 @@ void append_text(std::string& out, std::string_view text) {
   out += '"';
 }
 
+/// A word of a file as it is, or nothing where a spreadsheet or a terminal would obey it.
+std::string_view harmless(std::string_view word) {
+  const auto obeyed = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  const bool formula = word.find_first_of("=+-@") == 0;
+  return formula || std::any_of(word.begin(), word.end(), obeyed) ? std::string_view() : word;
+}
+
 /// The defaults that go with a row's own scale: what else makes up the same one, and beside a collision time the k to
 /// hold.
 Asked scale_defaults(const Asked& own, const Asked& defaults) {
@@ -297,9 +304,9 @@ void TargetRows::write(std::string& out, const Row& row, std::string_view status
     if (number) append_shortest(out, *number);
     out += ',';
   }
-  append_text(out, found ? row.request.law.name() : row.text[law]);
+  append_text(out, found ? row.request.law.name() : harmless(row.text[law]));
   out += ',';
-  append_text(out, found ? text(row.request.end) : row.text[end]);
+  append_text(out, found ? text(row.request.end) : harmless(row.text[end]));
   out += ',';
   append_text(out, status);
   if (!found) {

@@ -1,3 +1,4 @@
+#include "confirmation.hpp"
 #include "reach.hpp"
 #include "solution.hpp"
 
@@ -143,10 +144,11 @@ void check(Calibration& out, const Request& request, double tolerance) {
     if (status == CollisionStatus::no_separation || !out.achieved.separated())
       throw NotConverged(fmt::format("{}: the numerical collision does not part", called(request)));
     out.remarks.push_back("the numerical collision does not resolve so small an en; achieved is by the closed form");
-  } else if (const double left = miss(out.achieved, tcol, en); left > std::max(tolerance, bound)) {
+  } else if (const double left = miss(out.achieved, tcol, en);
+             confirmed(left, tolerance, bound) == Confirmation::missed) {
     throw NotConverged(
         fmt::format("{}: the numerical collision misses the target by {}", called(request), significant(left, 2)));
-  } else if (left > tolerance) {
+  } else if (confirmed(left, tolerance, bound) == Confirmation::within_error) {
     out.remarks.push_back(fmt::format("confirmed to {} only, within the numerical collision's own error of {}",
                                       significant(left, 2), significant(bound, 2)));
   }

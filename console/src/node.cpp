@@ -3,11 +3,14 @@
 #include "place.hpp"
 
 #include <console/exit.hpp>
+#include <console/progress.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <set>
 #include <vector>
 
@@ -131,6 +134,33 @@ void require_shallow(const std::string& file, const std::string& text) {
   }
 }
 
+/// Through a text, which tells of every 64 KiB.
+class Told {
+ public:
+  using iterator_category = std::forward_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  Told() = default;
+  Told(const char* at, std::size_t length, Progress* progress) : at_(at), left_(length), progress_(progress) {}
+
+  reference operator*() const { return *at_; }
+  Told& operator++() {
+    ++at_, --left_;
+    if (left_ % piece == 0 && progress_) progress_->advance(piece);
+    return *this;
+  }
+  bool operator==(const Told& other) const { return at_ == other.at_; }
+
+ private:
+  static constexpr std::size_t piece = 1 << 16;
+  const char* at_ = nullptr;
+  std::size_t left_ = 0;
+  Progress* progress_ = nullptr;
+};
+
 /// JSON lets a key come twice and readers keep the last: in a scene that is a mistake. A pass of its own: the library's
 /// parser with a callback looks through a whole array at the end of each of its elements.
 class KeysOnce final : public nlohmann::json_sax<Json> {
@@ -168,11 +198,12 @@ class KeysOnce final : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-Json parse_json(const std::string& file, const std::string& text, std::string_view described_in) {
+Json parse_json(const std::string& file, const std::string& text, std::string_view described_in, Progress* progress) {
   require_shallow(file, text);
+  const Told begin(text.data(), text.size(), progress), end(text.data() + text.size(), 0, nullptr);
   Json json;
   try {
-    json = Json::parse(text);
+    json = Json::parse(begin, end);
   } catch (const Json::parse_error& error) {
     throw BadInput(fmt::format("{}:{}: no JSON: must be one object as {} describes", file,
                                line_and_column(text, error.byte > 0 ? error.byte - 1 : 0), described_in));
@@ -183,7 +214,7 @@ Json parse_json(const std::string& file, const std::string& text, std::string_vi
     throw BadInput(fmt::format("{}:{}: {}: must be at most 1.8e308 in size", file,
                                line_and_column(text, text.find(number)), number));
   }
-  if (KeysOnce keys; !Json::sax_parse(text, &keys))
+  if (KeysOnce keys; !Json::sax_parse(begin, end, &keys))
     throw BadInput(
         fmt::format("{}: key \"{}\" is given twice in one object; it must be given once", file, keys.repeated));
   return json;

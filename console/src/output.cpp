@@ -45,6 +45,7 @@ struct Target {
 Target look_at(const std::string& target, const std::string& shown) {
   struct stat status = {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
+  if (!exists && errno == ENAMETOOLONG) throw_cannot_create(shown, errno);  // the temporary one would be shorter
   if (struct stat link = {}; !exists && ::lstat(target.c_str(), &link) == 0 && S_ISLNK(link.st_mode))
     throw BadInput(fmt::format("{}: cannot write: a link that leads nowhere", shown));
   if (exists && S_ISDIR(status.st_mode)) throw_cannot_create(shown, EISDIR);

@@ -5,6 +5,7 @@
 #include "sizes.hpp"
 
 #include <console/number.hpp>
+#include <console/progress.hpp>
 
 #include <fmt/format.h>
 
@@ -69,7 +70,8 @@ void put_at_random(Order& order, const PourRegion& region, Crowd& crowd) {
   std::stable_sort(by_size.begin(), by_size.end(),
                    [&](auto a, auto b) { return order.spheres[a].radius > order.spheres[b].radius; });
   Random random(order.seed, 1);
-  for (std::size_t placed = 0; placed < by_size.size(); ++placed) {
+  console::Progress progress("place spheres", by_size.size());
+  for (std::size_t placed = 0; placed < by_size.size(); ++placed, progress.advance()) {
     Sphere& s = order.spheres[by_size[placed]];
     bool found = false;
     for (int tries = 0; tries < most_tries && !found; ++tries) {
@@ -98,6 +100,7 @@ void put_on_lattice(Order& order, const PourRegion& region, Crowd& crowd) {
   const auto sites = [&](double length) { return static_cast<std::uint64_t>(length / spacing * (1 + touching)); };
   const std::array<std::uint64_t, 3> n{sites(size.x), sites(size.y), sites(size.z)};
   Random random(order.seed, 1);
+  console::Progress progress("place spheres", order.spheres.size());
   std::size_t placed = 0;
   for (std::uint64_t k = 0; k < n[0] * n[1] * n[2] && placed < order.spheres.size(); ++k) {
     Sphere& s = order.spheres[placed];
@@ -108,7 +111,7 @@ void put_on_lattice(Order& order, const PourRegion& region, Crowd& crowd) {
     s.position = region.low() + spacing * (cell + Vec3{0.5, 0.5, 0.5}) + shift;
     if (!region.holds(s.position, s.radius) || !crowd.room_for(s.position, s.radius)) continue;
     crowd.add(s.position, s.radius);
-    ++placed;
+    ++placed, progress.advance();
   }
   if (placed < order.spheres.size())
     entry.at("number").reject(fmt::format("at most {}: as many of the {} x {} x {} sites, {} m apart, are free", placed,

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -85,18 +86,21 @@ std::string contact_row(const Roster& roster, const Encounter& e) {
                      finite_or_empty(e.end), finite_or_empty(e.separation), name(e.how), fmt::join(phases, "; "));
 }
 
-GrowingFile::GrowingFile(std::string path, std::uint64_t length)
-    : path_(std::move(path)),
-      length_(length),
-      file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (length == 0 ? O_TRUNC : 0), 0666)) {
+void require_written(const std::string& path, std::uint64_t length) {
+  constexpr const char* again = "start again without --resume";
+  std::error_code error;
+  const std::uint64_t found = std::filesystem::file_size(path, error);
+  if (error) throw console::BadInput(fmt::format("{}: missing: {}; {}", path, error.message(), again));
+  if (found < length)
+    throw console::BadInput(fmt::format("{}: shorter than when the state was saved; {}", path, again));
+}
+
+GrowingFile::GrowingFile(std::string path, std::uint64_t length) : path_(std::move(path)), length_(length) {
+  if (length > 0) require_written(path_, length);
+  file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (length == 0 ? O_TRUNC : 0), 0666);
   if (file_ < 0)
     throw console::BadInput(fmt::format("{}: cannot write: {}", path_, std::generic_category().message(errno)));
   if (length == 0) return;
-  const off_t end = ::lseek(file_, 0, SEEK_END);
-  if (end < static_cast<off_t>(length)) {
-    ::close(file_);
-    throw console::BadInput(path_ + ": shorter than when the state was saved; start again without --resume");
-  }
   if (::ftruncate(file_, static_cast<off_t>(length)) != 0 || ::lseek(file_, 0, SEEK_END) < 0) {
     const int error = errno;
     ::close(file_);

@@ -18,10 +18,13 @@ std::string contact_row(const Roster& roster, const Encounter& encounter);
 std::string energy_header();
 std::string contact_header();
 
+/// Throws console::BadInput where a file that a state says has `length` bytes at least is missing or shorter.
+void require_written(const std::string& path, std::uint64_t length);
+
 /// A file that grows by whole records and holds nothing else, even when the disk is full or the program is stopped.
 class GrowingFile {
  public:
-  /// Cut to `length`. Throws console::BadInput where the path cannot be written or the file is shorter.
+  /// Cut to `length`. Throws console::BadInput where the path cannot be written or, for a length, see above.
   GrowingFile(std::string path, std::uint64_t length);
   ~GrowingFile();
   GrowingFile(const GrowingFile&) = delete;
@@ -36,7 +39,7 @@ class GrowingFile {
 
   std::string path_, pending_;
   std::uint64_t length_;
-  int file_;
+  int file_ = -1;
 };
 
 }  // namespace ricochet::simulate

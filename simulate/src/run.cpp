@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -28,6 +29,9 @@ using Clock = std::chrono::steady_clock;
 
 /// Below it, what the memory of a fractional contact leaves out is small against what the time steps do.
 constexpr double unspoken_kernel_error = 1e-6;
+
+/// Of which a state knows the lengths.
+constexpr std::array outputs{"/trajectory.xyz", "/contacts.csv", "/energy.csv"};
 
 // Checked before anything is written.
 Cluster prepared(const Scene& scene) {
@@ -51,9 +55,9 @@ class Run {
         inflow_(scene),
         state_path_(folder + "/state.json"),
         cluster_(std::move(cluster)),
-        trajectory_(folder + "/trajectory.xyz", from ? from->lengths[0] : 0),
-        contacts_(folder + "/contacts.csv", from ? from->lengths[1] : 0),
-        energy_(folder + "/energy.csv", from ? from->lengths[2] : 0) {
+        trajectory_(folder + outputs[0], from ? from->lengths[0] : 0),
+        contacts_(folder + outputs[1], from ? from->lengths[1] : 0),
+        energy_(folder + outputs[2], from ? from->lengths[2] : 0) {
     if (format == Format::vtk)
       vtk_.emplace(folder + "/vtk", scene, from ? from->state.steps / scene.output_every + 1 : 0);
     if (from) {
@@ -101,6 +105,8 @@ class Run {
     inflow_.set_brought(from.brought);
     cluster_.restore(from.state);
     cluster_.take_finished();
+    if (!std::isfinite(cluster_.energy().total()))
+      throw console::BadInput(state_path_ + ": the energy of its spheres is no number; start again without --resume");
   }
 
   void note_finished() {
@@ -212,6 +218,7 @@ int run(const Scene& scene, const std::string& folder, bool resume, const std::f
     return Run(scene, std::move(cluster), folder, {}, format).go(begun);
   }
   const Checkpoint from = read_checkpoint(state, console::read_input(state), scene);
+  for (std::size_t k = 0; k < outputs.size(); ++k) require_written(folder + outputs[k], from.lengths[k]);
   if (from.complete) return 0;
   return Run(scene, prepared(scene), folder, from, from.format).go(begun);
 }

@@ -1,6 +1,7 @@
 #include <simulate/scene.hpp>
 
 #include "crowd.hpp"
+#include "fingerprint.hpp"
 #include "friction.hpp"
 #include "generate.hpp"
 #include "law.hpp"
@@ -12,6 +13,7 @@
 
 #include <console/exit.hpp>
 #include <console/number.hpp>
+#include <console/progress.hpp>
 
 #include <fmt/format.h>
 
@@ -32,6 +34,23 @@ using console::significant;
 
 // The collision of the stiffest pair is resolved by 200 steps if the scene leaves the choice, by 20 at least.
 constexpr double steps_per_collision = 200, least_steps_per_collision = 20;
+
+// What is to be done with a text: two looks at its bytes, then its spheres, then who overlaps and meets whom.
+class Work {
+ public:
+  Work(const std::string& file, std::size_t bytes) : bytes_(bytes), progress_("read " + file, 4 * bytes) {}
+
+  console::Progress* progress() noexcept { return &progress_; }
+  // The k-th of n parts of what is as much as one look.
+  void part(std::size_t k, std::size_t n) {
+    progress_.advance(static_cast<std::uint64_t>(double(bytes_) / double(n) * double(k + 1)) -
+                      static_cast<std::uint64_t>(double(bytes_) / double(n) * double(k)));
+  }
+
+ private:
+  std::size_t bytes_;
+  console::Progress progress_;
+};
 
 // Springs that are each pair's own are set pair by pair.
 void read_tangent_plane(const Node& entry, std::pair<std::size_t, std::size_t> pair, const AnyLaw& normal,
@@ -74,9 +93,10 @@ Interactions read_interactions(const Node& node, const Materials& materials, ByP
   return interactions;
 }
 
-void read_spheres(const Node& node, const Materials& materials, Scene& scene) {
+void read_spheres(const Node& node, const Materials& materials, Scene& scene, Work& work) {
   scene.setup.spheres.reserve(node.size());
   for (std::size_t k = 0; k < node.size(); ++k) {
+    work.part(k, node.size());
     const Node entry = node.at(k);
     entry.allow({"radius", "density", "material", "position", "velocity", "spin"});
     const Material& material = material_of(entry.at("material"), materials);
@@ -271,22 +291,16 @@ void choose_step(const Node& root, Scene& scene) {
   scene.options.longest_contact = std::min(duration, 4e5 * scene.options.step);
 }
 
-std::string fingerprint(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
-  for (unsigned char byte : text) hash = (hash ^ byte) * 0x100000001b3u;
-  return fmt::format_int(hash).str();
-}
-
 }  // namespace
 
 namespace {
 
 // Everybody that will ever be there, whether from the start or later.
-void read_bodies(const std::string& file, const Node& root, const Materials& materials, Scene& scene,
-                 std::string& used) {
+void read_bodies(const std::string& file, const Node& root, const Materials& materials, Scene& scene, std::string& used,
+                 Work& work) {
   if (root.has("periodic")) read_periods(root.at("periodic"), scene);
   read_walls(root, materials, scene);
-  if (root.has("spheres")) read_spheres(root.at("spheres"), materials, scene);
+  if (root.has("spheres")) read_spheres(root.at("spheres"), materials, scene, work);
   if (root.has("start")) used += read_start(root.at("start"), file, materials, scene);
   generate(root, materials, scene);
   if (root.has("outlets")) read_outlets(root.at("outlets"), scene);
@@ -324,7 +338,8 @@ void check_space(const Node& root, const Scene& scene) {
 }  // namespace
 
 Scene read_scene(const std::string& file, const std::string& text) {
-  const console::Json json = console::parse_json(file, text, "docs/scenes.md");
+  Work work(file, text.size());
+  const console::Json json = console::parse_json(file, text, "docs/scenes.md", work.progress());
   const Node root(file, text, json);
   root.allow({"schema",       "title",           "duration", "output_interval", "step",     "gravity", "materials",
               "interactions", "spheres",         "start",    "lattice",         "pour",     "walls",   "boxes",
@@ -338,7 +353,7 @@ Scene read_scene(const std::string& file, const std::string& text) {
   scene.setup.interactions = read_interactions(root.at("interactions"), materials, by_pair);
   if (root.has("gravity")) scene.setup.gravity = root.at("gravity").vector();
   std::string read = json.dump();
-  read_bodies(file, root, materials, scene, read);
+  read_bodies(file, root, materials, scene, read, work);
   note_materials(root, materials, scene);
   if (root.has("reclosing") && root.at("reclosing").one_of({"repels", "silent"}) == "silent")
     scene.options.reclosing = Reclosing::silent;
@@ -347,7 +362,9 @@ Scene read_scene(const std::string& file, const std::string& text) {
     if (scene.options.solver_tolerance > 0.01) root.at("solver_tolerance").reject("at most 0.01");
   }
   check_space(root, scene);
+  work.part(0, 3);
   scene.remark = Overlaps(root, scene).look();
+  work.part(1, 3);
   // Laws by target and the step are for those that come later as well.
   std::vector<Sphere>&spheres = scene.setup.spheres, &later = scene.setup.later;
   const std::size_t first = spheres.size();

@@ -3,6 +3,7 @@
 #include <console/exit.hpp>
 #include <console/input.hpp>
 #include <console/number.hpp>
+#include <console/progress.hpp>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,9 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string_view>
+#include <utility>
 
 namespace ricochet::simulate {
 namespace {
@@ -69,13 +72,20 @@ std::map<std::string, std::size_t, std::less<>> columns_of(std::string_view comm
     else
       parts.back() += c;
   std::size_t column = 0;
+  std::set<std::string, std::less<>> vectors;
   for (std::size_t k = 0; k + 2 < parts.size(); k += 3) {
-    columns.emplace(parts[k], column);
-    column += console::parse_number(parts[k + 2]) == 3.0 ? 3 : 1;
+    const bool vector = console::parse_number(parts[k + 2]) == 3.0;
+    if (columns.emplace(parts[k], column).second && vector) vectors.insert(parts[k]);
+    column += vector ? 3 : 1;
   }
-  for (const char* const needed : {"species", "pos", "radius", "mass", "velo", "angular_velocity"})
+  for (const auto& [needed, vector] :
+       {std::pair("species", false), std::pair("pos", true), std::pair("radius", false), std::pair("mass", false),
+        std::pair("velo", true), std::pair("angular_velocity", true)}) {
     if (!columns.contains(needed))
       lines.complain(fmt::format("no property \"{}\"; it must be a trajectory that simulate wrote", needed));
+    if (vectors.contains(needed) != vector)
+      lines.complain(fmt::format("property \"{}\": must be of {}", needed, vector ? "3 columns" : "1 column"));
+  }
   columns.emplace("", column);  // the number of words
   return columns;
 }
@@ -157,7 +167,8 @@ std::string read_start(const Node& node, const std::string& scene_file, const Ma
   const std::size_t count = count_of(frame.next(), frame);
   Frame reader(frame, materials);
   scene.setup.spheres.reserve(scene.setup.spheres.size() + count);
-  for (std::size_t k = 0; k < count; ++k) scene.setup.spheres.push_back(reader.sphere());
+  console::Progress progress("read " + path, count);
+  for (std::size_t k = 0; k < count; ++k, progress.advance()) scene.setup.spheres.push_back(reader.sphere());
   return used;
 }
 

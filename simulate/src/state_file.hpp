@@ -1,5 +1,6 @@
 #pragma once
 
+#include <console/json.hpp>
 #include <simulate/run.hpp>
 #include <simulate/scene.hpp>
 
@@ -24,8 +25,12 @@ struct Checkpoint {
 /// as in the scene, walls after the spheres that are there; memories are the numbers of the law that is named.
 std::string write_checkpoint(const Scene& scene, const Checkpoint& checkpoint);
 
+/// Of all that a state says besides its "checksum": the fingerprint of that as JSON without blanks.
+std::string checksum(console::Json state);
+
 /// Reads what was written for the same scene, every value checked against it. Throws console::BadInput with one line
-/// that names `file`, the place, the value and what is accepted.
+/// that names `file`: of a file that is no whole JSON, of another kind, version or scene, or changed since it was
+/// saved; else with the place, the value and what is accepted.
 Checkpoint read_checkpoint(const std::string& file, const std::string& text, const Scene& scene);
 
 }  // namespace ricochet::simulate

@@ -1,4 +1,6 @@
 #include <calibrate/calibration.hpp>
+#include "../../calibrate/src/confirmation.hpp"
+
 #include <catch2/catch.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 
@@ -245,4 +247,13 @@ TEST_CASE("close to en = 1 the answer keeps the digits that the parameters have,
   CHECK(tsuji.cross_method == Method::nlopt);
   CHECK(tsuji.cross_difference > 1e-4);
   CHECK(calibrated({kind_of<Tsuji>, ContactEnd::force}, 1e-4, 0.999).method == Method::nlopt);
+}
+
+TEST_CASE(
+    "an answer is confirmed by a collision to the tolerance, or to what the collision is off by, and no further") {
+  CHECK(confirmed(0.99e-9, 1e-9, 0) == Confirmation::full);
+  CHECK(confirmed(1.01e-9, 1e-9, 0) == Confirmation::missed);
+  CHECK(confirmed(1.01e-9, 1e-9, 1.02e-9) == Confirmation::within_error);
+  CHECK(confirmed(1.03e-9, 1e-9, 1.02e-9) == Confirmation::missed);
+  CHECK(confirmed(std::nan(""), 1e-9, 1) == Confirmation::missed);
 }

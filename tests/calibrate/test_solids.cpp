@@ -78,6 +78,18 @@ TEST_CASE("what calibration finds does it on Maxwell arms too, in a column of on
   }
 }
 
+TEST_CASE("what the direct calibrator keeps of an en serves every time and impact to the bit", "[solids]") {
+  const DirectCalibrator kept;
+  for (const LawKind law : {kind_of<FractionalKelvinVoigt>, kind_of<FractionalHertz>, kind_of<FractionalZener>})
+    for (const Held& held : {Held{}, Held{.alpha = 0.3, .stiffening = 40}})
+      for (const auto& [tcol, velocity] : {std::pair{1e-4, 0.5}, {3e-5, 0.5}, {1e-4, 2.0}}) {
+        const Request request{
+            .law = law, .end = ContactEnd::force, .target = {tcol, 0.8, {velocity, 7e-6}}, .held = held};
+        const auto alone = std::get<Calibration>(calibrate(request, {.method = Method::direct}));
+        CHECK(values(std::get<AnyLaw>(kept(request))) == values(alone.law));
+      }
+}
+
 TEST_CASE("fitted at one speed fractional-hertz goes with v^(alpha/5)", "[solids]") {
   const auto loss = [](const AnyLaw& law, double v) { return 1 - collide(law, {v, 7e-6}).en; };
   for (const double alpha : {0.3, 0.8}) {

@@ -1,5 +1,7 @@
 #include "temporary_folder.hpp"
 
+#include "../../console/src/place.hpp"
+
 #include <catch2/catch.hpp>
 #include <console/csv.hpp>
 #include <console/exit.hpp>
@@ -214,4 +216,14 @@ TEST_CASE("what is not a file of lines is refused") {
   };
   CHECK_THROWS_WITH(drain(), Catch::Contains("long:2: line of more than 1048576 bytes"));
   CHECK_THROWS_WITH(LineBlocks(folder / ""), Catch::EndsWith("cannot be read: is a directory"));
+}
+
+TEST_CASE("the place of a value in JSON is found behind strings that hold quotes and brackets") {
+  const std::string text = "{\"a\": \"x\\\"y]}\",\n \"b\": [1, {\"c\": 2}]}";
+  const auto place = [&](const char* path) { return line_and_column(text, place_of(text, path)); };
+  CHECK(place("/a") == "1:7");
+  CHECK(place("/b") == "2:7");
+  CHECK(place("/b/0") == "2:8");
+  CHECK(place("/b/1/c") == "2:17");
+  CHECK(place("/b/1/d") == "2:11");  // as far as it leads
 }

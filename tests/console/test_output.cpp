@@ -1,6 +1,7 @@
 #include "temporary_folder.hpp"
 
 #include <console/exit.hpp>
+#include <console/input.hpp>
 #include <console/output.hpp>
 #include <console/scratch.hpp>
 #include <console/signals.hpp>
@@ -40,6 +41,14 @@ TEST_CASE("a file is written whole and replaces the old one") {
   write_atomically(folder / "a.txt", "second");
   CHECK(read_file(folder / "a.txt") == "second");
   CHECK(folder.count() == 1);
+}
+
+TEST_CASE("a name that no file system takes is refused before anything is written") {
+  const TemporaryFolder folder;
+  const std::string path = folder / std::string(300, 'x');
+  CHECK_THROWS_AS(AtomicFile(path), BadInput);
+  CHECK_THROWS_WITH(AtomicFile(path), path + ": cannot write: File name too long");
+  CHECK(folder.count() == 0);
 }
 
 TEST_CASE("without commit nothing is left and the old file stays") {
@@ -242,6 +251,24 @@ TEST_CASE("what a killed process left is removed by the next one in that folder,
   CHECK(std::filesystem::exists(folder / ".a.txt.1.0.part"));
 }
 
+TEST_CASE("a folder that somebody holds is no leftover, even where no process has the number in its name") {
+  const pid_t gone = ::fork();
+  if (gone == 0) ::_exit(0);
+  ::waitpid(gone, nullptr, 0);
+  const TemporaryFolder folder;
+  const ScratchFolder scratch(folder.path());
+  std::string other = scratch.path();
+  const std::string ours = std::to_string(::getpid()) + "-";
+  const auto number = other.rfind(ours);
+  REQUIRE(number != std::string::npos);
+  other.replace(number, ours.size(), std::to_string(gone) + "-");
+  // As from another namespace of processes.
+  REQUIRE(::rename(scratch.path().c_str(), other.c_str()) == 0);
+  { OutputFolder output(folder.path()); }
+  CHECK(std::filesystem::exists(other));
+  ::rename(other.c_str(), scratch.path().c_str());
+}
+
 TEST_CASE("a signal removes folders that pass, with what is in them") {
   const TemporaryFolder folder;
   const int status = in_child([&] {
@@ -275,4 +302,14 @@ TEST_CASE("a signal that is noted ends nothing, the second one everything, ignor
   CHECK(WTERMSIG(twice) == SIGINT);
   CHECK(folder.count() == 0);
   CHECK(WTERMSIG(in_child([] { end_by(SIGHUP); })) == SIGHUP);
+}
+
+TEST_CASE("an input is read whole up to a GiB, and refused beyond, whatever it is") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "large.json";
+  write_atomically(path, "{}");
+  CHECK(read_input(path) == "{}");
+  REQUIRE(::truncate(path.c_str(), static_cast<off_t>(largest_input) + 1) == 0);  // takes no room
+  CHECK_THROWS_WITH(read_input(path), path + ": too large: must be at most 1 GiB");
+  CHECK_THROWS_WITH(read_input(folder / "none"), (folder / "none") + ": cannot be read: No such file or directory");
 }

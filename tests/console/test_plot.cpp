@@ -1,3 +1,4 @@
+#include "../../console/src/svg_theme.hpp"
 #include "temporary_folder.hpp"
 
 #include <console/exit.hpp>
@@ -133,6 +134,28 @@ TEST_CASE("a machine without gnuplot gets the package's name") {
   ::setenv("PATH", folder.path().c_str(), 1);
   CHECK_THROWS_WITH(svg_of({"x", "", "plot x", {}}), Catch::Contains("gnuplot-nox"));
   ::setenv("PATH", path.c_str(), 1);
+}
+
+TEST_CASE("a collision's panels have the prefix of the greatest value of all curves, whichever comes first") {
+  const Motion strong{"strong", {{0, 0, 1, 0}, {2e-4, 3e-6, 0, 4e3}, {5e-4, 0, -1, 0}}};
+  const Motion weak{"weak", {{0, 0, 1, 0}, {2e-6, 3e-9, 0, 4}}};
+  const std::string script = collision_panels("c", "", {strong, weak}).script;
+  CHECK(script.find("time since the first touch [µs]") != std::string::npos);
+  CHECK(script.find("overlap [µm]") != std::string::npos);
+  CHECK(script.find("force [kN]") != std::string::npos);
+  CHECK(script.find("($2*1e6):($3*1e6)") != std::string::npos);
+  CHECK(script.find("($2*1e6):($5*1e-3)") != std::string::npos);
+  CHECK(collision_panels("c", "", {weak, strong}).data.front().bytes.find("\"strong\",2e-04,3e-06,0,4000") !=
+        std::string::npos);
+}
+
+TEST_CASE("a themed picture repaints each colour of the palette as gnuplot writes it, and says what it shows") {
+  const std::string svg = themed("<svg><title>t</title><desc>d</desc></svg>", "A & B", "what is seen");
+  for (const char* const rule :
+       {R"x([stroke="rgb(0,114,178)"]{stroke:#45a3e6})x", R"x([fill="rgb(213,94,0)"]{fill:#ff8a3d})x",
+        R"x([color="rgb(  0, 158, 115)"]{color:#2fc79a})x"})
+    CHECK(svg.find(rule) != std::string::npos);
+  CHECK(svg.find("<title>A &amp; B</title><desc>what is seen</desc>") != std::string::npos);
 }
 
 TEST_CASE("a law has one colour, whatever words stand behind its name, and no two share one") {

@@ -73,6 +73,12 @@ TEST_CASE("markdown aligns numbers to the right") {
         "\nk: stiffness\n");
 }
 
+TEST_CASE("LaTeX aligns numbers to the right and words to the left") {
+  Table table({{"law"}, {"k", "N/m"}});
+  table.row({std::string("linear"), 1.5});
+  CHECK(table.latex().find("{lr}") != std::string::npos);
+}
+
 TEST_CASE("a table takes no number that is not finite and no ragged row") {
   Table table({{"x"}});
   CHECK_THROWS_AS(table.row({std::nan("")}), std::logic_error);

@@ -315,3 +315,25 @@ TEST_CASE(
   CHECK(apart < 20 * usual.state().worst_change * greatest / setup.spheres[0].mass());
   CHECK(apart < 1e-4 * fastest);
 }
+
+TEST_CASE("sweeps over contacts end where they are as near as the tolerance says") {
+  // A sphere that spins in a corner of two walls that it sticks to. In the plane of the spin friction on one wall turns
+  // it against the other: (5/2)/m beside the (7/2)/m that a contact has of itself. A sweep thus leaves (5/7)² = 0.51 of
+  // the error, and one that changed impulses by tol J leaves 0.51/0.49 tol J, J the greatest impulse; two such impulses
+  // change the spin by (5/2)/m each.
+  ClusterSetup setup = with_law(Linear(2e4, 0), Friction(5, 5, 0, 0));
+  setup.walls.push_back({{0, 0, 0}, {0, 0, 1}});
+  setup.walls.push_back({{0, 0, 0}, {1, 0, 0}});
+  setup.spheres.push_back({r, density, {0.999 * r, 0, 0.999 * r}, {}, {0, 0.15, 0}, 0});  // slower than they stick at
+  const double m = setup.spheres[0].mass(), tolerance = 1e-5;
+  Cluster loose(setup, {.step = 1e-5, .solver_tolerance = tolerance});
+  Cluster tight(setup, {.step = 1e-5, .solver_tolerance = 1e-14});
+  loose.step(), tight.step();
+  REQUIRE(loose.state().unconverged == 0);
+  REQUIRE(loose.contacts().size() == 2);
+  double J = 0;
+  for (const ContactState& c : tight.contacts()) J = std::max(J, c.normal_impulse);
+  const double bound = 2 * 2.5 / m * (0.51 / 0.49) * tolerance * J;
+  CHECK(r * norm(loose.spin(0) - tight.spin(0)) <= bound);
+  CHECK(norm(loose.velocity(0) - tight.velocity(0)) <= bound);
+}

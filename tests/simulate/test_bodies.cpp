@@ -1,4 +1,5 @@
 // Walls of every form, periodic space, starts, and spheres that come and go: from the scene to the files.
+#include "../../simulate/src/state_file.hpp"
 #include "complaints.hpp"
 #include "console/temporary_folder.hpp"
 
@@ -210,6 +211,12 @@ TEST_CASE("a packing goes on from a frame of its trajectory, overlaps and all") 
   CHECK(with_file("one\n") == ":1: one: must be a number of spheres, as a frame begins");
   CHECK(with_file("1\nnothing\nsteel 0 0\n").find(":2: no \"Properties=\"") == 0);
   CHECK(with_file("1\nProperties=pos:R:3\nsteel 0 0\n").find(":2: no property \"species\"") == 0);
+  const std::string narrow =
+      "Properties=species:S:1:velo:R:3:radius:R:1:mass:R:1:angular_velocity:R:3:pos:R:1 Time=0\n";
+  CHECK(with_file("1\n" + narrow + "steel 0 0 0 0.01 1 0 0 0 0\n") == ":2: property \"pos\": must be of 3 columns");
+  const std::string wide = "Properties=species:S:1:pos:R:3:radius:R:3:mass:R:1:velo:R:3:angular_velocity:R:3 Time=0\n";
+  CHECK(with_file("1\n" + wide + "steel 0 0 1 1 1 1 1 0 0 0 0 0 0\n") ==
+        ":2: property \"radius\": must be of 1 column");
   CHECK(with_file("").find(": empty; must be a trajectory") == 0);
 }
 
@@ -317,8 +324,9 @@ TEST_CASE("a run that pours and loses spheres goes on to the same bytes wherever
   for (const double share : {0.2, 0.45, 0.8, 1.0}) {
     shorter.steps = static_cast<std::uint64_t>(share * static_cast<double>(scene.steps));
     if (fs::exists(parts / "state.json")) {
-      std::string state = read_file(parts / "state.json");
-      state.replace(state.find("\"complete\":true"), 15, "\"complete\":false");
+      console::Json state = console::Json::parse(read_file(parts / "state.json"));
+      state.at("complete") = false;
+      state.at("checksum") = checksum(state);
       std::ofstream(parts / "state.json") << state;
     }
     REQUIRE(run(

@@ -89,6 +89,26 @@ TEST_CASE("a run does not overwrite another, nor continue one of another scene")
   CHECK_THROWS_WITH(run(scene, folder.path() / "somebodys", false),
                     Catch::Contains("holds energy.csv without the state.json of a run"));
   CHECK(read_file(folder.path() / "somebodys/energy.csv") == "mine");
+  const auto cut = [&](const char* file, auto&& damage) {
+    const fs::path path = folder.path() / file;
+    const std::string whole = read_file(path);
+    damage(path);
+    try {
+      run(scene, folder.path(), true);
+    } catch (const console::BadInput& error) {
+      std::ofstream(path) << whole;
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  for (const char* file : {"trajectory.xyz", "contacts.csv", "energy.csv"}) {
+    const std::string path = (folder.path() / file).string();
+    CHECK(cut(file, [](const fs::path& p) { fs::remove(p); }) ==
+          path + ": missing: No such file or directory; start again without --resume");
+    CHECK(cut(file, [](const fs::path& p) { fs::resize_file(p, fs::file_size(p) - 1); }) ==
+          path + ": shorter than when the state was saved; start again without --resume");
+  }
+  CHECK(run(scene, folder.path(), true) == 0);
   std::ofstream(folder.path() / "state.json") << "{}";
   CHECK_THROWS_WITH(run(scene, folder.path(), true), Catch::Contains("must be a state that simulate saved"));
 }

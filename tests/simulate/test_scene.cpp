@@ -121,7 +121,7 @@ TEST_CASE("every mistake in a scene is one line that says where, what, and what 
         "s.json: /interactions/1/law/alpha = 1.3: must be in [0, 1]");
   CHECK(complaint(with("\"linear\"", "\"hooke\"")) ==
         "s.json: /interactions/0/law/name = \"hooke\": must be linear or kuwabara-kono or tsuji or hysteretic or "
-        "fractional");
+        "fractional or fractional-kelvin-voigt or fractional-hertz or fractional-zener");
   CHECK(complaint(with("\"mu_static\": 0.5", "\"mu_static\": 0.5, \"mu_dynamic\": 0.6")) ==
         "s.json: /interactions/1/friction/mu_dynamic = 0.6: must be at most mu_static");
   CHECK(complaint(with("\"material\": \"plate\"", "\"material\": \"plat\"")) ==

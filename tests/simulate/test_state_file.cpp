@@ -5,6 +5,7 @@
 #include <console/exit.hpp>
 #include <console/json.hpp>
 
+#include <cstdint>
 #include <regex>
 
 using namespace ricochet;
@@ -35,14 +36,20 @@ const Checkpoint& saved() {
   return made;
 }
 
-std::string complaint(const Json& state) {
+std::string complaint_of(const std::string& text) {
   try {
-    read_checkpoint("d/state.json", state.dump(), scene());
+    read_checkpoint("d/state.json", text, scene());
   } catch (const console::BadInput& error) {
     CHECK(std::string(error.what()).find('\n') == std::string::npos);
     return std::regex_replace(std::string(error.what()), std::regex(":\\d+:\\d+: "), ": ");
   }
   return "accepted";
+}
+
+/// As somebody would write it who knows of the checksum.
+std::string complaint(Json state) {
+  if (state.is_object()) state["checksum"] = checksum(state);
+  return complaint_of(state.dump());
 }
 
 /// What is said where the value at a JSON pointer is another.
@@ -106,7 +113,7 @@ TEST_CASE("a state reads back to the last bit, every number in its own place") {
 TEST_CASE("the file says by name what it holds") {
   const Json state = Json::parse(write_checkpoint(scene(), saved()));
   const ClusterState& s = saved().state;
-  CHECK(state.at("schema") == "ricochet/state/5");
+  CHECK(state.at("schema") == "ricochet/state/6");
   CHECK(state.at("lost_normal") == s.lost_normal);
   CHECK(state.at("lost_friction") == s.lost_friction);
   CHECK(state.at("contacts").at(0).at("memory") == s.memories[0].values);
@@ -128,7 +135,8 @@ TEST_CASE("every value of a state is checked before it is used, and named where 
   CHECK(with("/complete", 1) == start + "/complete = 1: must be true or false");
   CHECK(with("/complete", true) == start + "/complete = true: must be false before the last step");
   CHECK(with("/lengths", {1, 2}) == start + "/lengths = [1,2]: must be an array of 3 lengths");
-  CHECK(with("/lengths/1", -2) == start + "/lengths/1 = -2: must be an integer from 0 to 9223372036854775807");
+  CHECK(with("/lengths/1", -2) == start + "/lengths/1 = -2: must be an integer from 1 to 9223372036854775807");
+  CHECK(with("/lengths/0", 0) == start + "/lengths/0 = 0: must be an integer from 1 to 9223372036854775807");
   CHECK(with("/velocities", Json::array()) == start + "/velocities = []: must be an array of 6 vectors, one a sphere");
   CHECK(with("/half_positions/2/0", nullptr) == start + "/half_positions/2/0 = null: must be a finite number");
   CHECK(with("/spins/5", {1, 2}) == start + "/spins/5 = [1,2]: must be three numbers [x, y, z]");
@@ -137,7 +145,7 @@ TEST_CASE("every value of a state is checked before it is used, and named where 
         start + "/solver/unconverged_steps = 301: must be an integer from 0 to 300");
   CHECK(with("/present/5", 6) == start + "/present/5 = 6: must be an integer from 0 to 5");
   CHECK(with("/present/5", 1) == start + "/present/5 = 1: must be a sphere that is there once");
-  CHECK(with("/present", {0, 1}).find("must be an array of 2 vectors, one a sphere") != std::string::npos);
+  CHECK(with("/present", {0, 1}) == start + "/present: 2 spheres; must be 6, as none can leave");
   CHECK(with("/poured", {1}) == start + "/poured = [1]: must be an array of 0 numbers, one a pour");
   CHECK(with("/format", "ply") == start + "/format = \"ply\": must be xyz or vtk");
   CHECK(with("/wall_work", nullptr) == start + "/wall_work = null: must be a finite number");
@@ -151,7 +159,8 @@ TEST_CASE("a contact of a state is checked against the scene") {
   CHECK(with("/contacts/1/how", 0) == start + "/contacts/1/how = 0: must be an integer from 1 to 6");
   CHECK(with("/contacts/1/how", 7) == start + "/contacts/1/how = 7: must be an integer from 1 to 6");
   CHECK(with("/contacts/1/end", -1) == start + "/contacts/1/end = -1: must be a number >= 0");
-  CHECK(with(first + "begin", 1) == start + first + "begin = 1: must be at most the time of the state");
+  CHECK(with("/contacts/1/end", 1).find("end = 1.0: must be a time from 0 to 0.0006") == std::string::npos);
+  CHECK(with(first + "begin", 1).rfind(start + first + "begin = 1: must be a time from 0 to 0.0006", 0) == 0);
   CHECK(with(first + "pair/0", 6) == start + first + "pair/0 = 6: must be an integer from 0 to 5");
   CHECK(with(first + "pair/1", 7) == start + first + "pair/1 = 7: must be an integer from 1 to 6");
   CHECK(with(first + "pair", {1, 0}) == start + first + "pair/1 = 0: must be an integer from 2 to 6");
@@ -187,13 +196,108 @@ TEST_CASE("a contact of a state is checked against the scene") {
   CHECK(complaint(state) == start + "/contacts/0: \"force\" is missing; it must be given");
 }
 
+TEST_CASE("what no run of the scene comes to is not taken up") {
+  // After 300 steps of 2 us: a grain of 0.01 m gets no faster than 0.01 m a step, none farther than 301 radii from
+  // where the farthest began.
+  const double farthest = norm(scene().setup.spheres[5].position) + 0.01 * 301;
+  const double step = scene().options.step;
+  CHECK(with("/velocities/2", {0.999 * 0.01 / step, 0, 0}) == "accepted");
+  CHECK(with("/velocities/2", {0, 1.001 * 0.01 / step, 0}) ==
+        start +
+            "/velocities/2 = [0,5005.0,0]: must be a vector of at most 5e+03 m/s, as the scene lets it become "
+            "by then");
+  CHECK(with("/velocity_gains/2/1", 2.01 * 0.01 / step).find("/velocity_gains/2 = ") != std::string::npos);
+  CHECK(with("/velocity_gains/2/1", 1e300).find("velocity_gains/2 = ") != std::string::npos);
+  CHECK(with("/half_positions/3/1", 0.9 * farthest) == "accepted");
+  CHECK(with("/half_positions/3/1", 1.05 * farthest).find("/half_positions/3 = ") != std::string::npos);
+  CHECK(with("/half_positions/3/1", 1e300).find("m, as the scene lets it become by then") != std::string::npos);
+  CHECK(with("/spins/0/2", 1e150) == "accepted");
+  CHECK(with("/spins/0/2", 1e155).find("/spins/0 = ") != std::string::npos);
+  CHECK(with("/spin_gains/0/2", 1e155).find("/spin_gains/0 = ") != std::string::npos);
+  const std::string first = "/contacts/0/";
+  CHECK(with(first + "overlap", 0.0149) == "accepted");
+  CHECK(with(first + "overlap", -0.0151) == start + first + "overlap = -0.0151: must be at most 0.015 m in size");
+  CHECK(with(first + "phases/0", 1).rfind(start + first + "phases/0 = 1: must be a time from ", 0) == 0);
+}
+
+TEST_CASE("every state that a run saves lies within the bounds") {
+  Cluster cluster(scene().setup, scene().options);
+  for (int k = 0; k < 100; ++k) {
+    CAPTURE(k);
+    const Checkpoint c{{1, 2, 3}, false, Format::xyz, {0, 1, 2, 3, 4, 5}, {}, cluster.state()};
+    REQUIRE(complaint_of(write_checkpoint(scene(), c)) == "accepted");
+    REQUIRE(cluster.advance(29));
+  }
+}
+
+TEST_CASE("who is there has come and has not left") {
+  const auto pouring = [](const std::string& outlets) {
+    return read_scene("s.json", R"({"duration": 0.1, "step": 1e-4, "materials": {"g": {"density": 2000}},
+      "interactions": [{"between": ["g", "g"], "law": {"name": "linear", "k": 100, "c": 0}}],
+      "spheres": [{"radius": 0.01, "material": "g", "position": [0, 0, 0]}],
+      "pour": [{"number": 3, "radius": 0.01, "material": "g", "rate": 100, "seed": 1,
+                "region": {"low": [1, 1, 1], "high": [2, 2, 2]}}])" +
+                                    outlets + "}");
+  };
+  const auto said = [](const Scene& scene, std::vector<std::uint32_t> present, std::uint64_t poured) {
+    ClusterState s;
+    s.half_positions.resize(present.size()), s.velocities.resize(present.size()), s.spins.resize(present.size());
+    s.velocity_gains.resize(present.size()), s.spin_gains.resize(present.size());
+    try {
+      read_checkpoint("s", write_checkpoint(scene, {{1, 1, 1}, false, Format::xyz, present, {poured}, s}), scene);
+    } catch (const console::BadInput& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const Scene closed = pouring(""), open = pouring(R"(, "outlets": [{"point": [0, 0, -1], "inward": [0, 0, 1]}])");
+  CHECK(said(closed, {0}, 0) == "accepted");
+  CHECK(said(closed, {0, 1, 2}, 2) == "accepted");
+  CHECK(said(closed, {0, 1}, 2).find("/present: 2 spheres; must be 3, as none can leave") != std::string::npos);
+  CHECK(said(closed, {0, 3}, 1).find("/present/1 = 3: must be a sphere that has been poured") != std::string::npos);
+  CHECK(said(open, {1}, 2) == "accepted");
+  CHECK(said(open, {0, 3}, 2).find("/present/1 = 3: must be a sphere that has been poured") != std::string::npos);
+}
+
+TEST_CASE("a state that was changed since it was saved says so, whatever was changed") {
+  const std::string text = write_checkpoint(scene(), saved());
+  CHECK(complaint_of(text) == "accepted");
+  Json state = Json::parse(text);
+  const std::string sum = state.at("checksum");
+  // FNV-1a of what stands before the checksum, as its authors define it.
+  std::uint64_t hash = 14695981039346656037u;
+  for (const char c : text.substr(0, text.find(R"(,"checksum")")) + "}")
+    hash ^= static_cast<unsigned char>(c), hash *= 1099511628211u;
+  CHECK(sum == std::to_string(hash));
+  state.at("lost_normal") = 2 * saved().state.lost_normal;
+  CHECK(complaint_of(state.dump())
+            .rfind(start + "changed since simulate saved it: the checksum of what it says is ", 0) == 0);
+  state = Json::parse(text);
+  state.erase("checksum");
+  CHECK(complaint_of(state.dump()).find("changed since simulate saved it") != std::string::npos);
+  // Blanks say nothing.
+  CHECK(complaint_of(Json::parse(text).dump(2)) == "accepted");
+}
+
+TEST_CASE("a state that is no whole JSON is damaged") {
+  const std::string text = write_checkpoint(scene(), saved());
+  const std::string damaged =
+      start +
+      "no JSON: must be one object as docs/scenes.md describes; the state is damaged, start again without "
+      "--resume";
+  CHECK(complaint_of(text.substr(0, text.size() / 2)) == damaged);
+  CHECK(complaint_of("") == damaged);
+  CHECK(complaint_of(R"({"schema": )" + std::string(1'000'000, '[')).find("brackets in more than 64 brackets") !=
+        std::string::npos);
+}
+
 TEST_CASE("what is no state of this scene and version is told apart") {
-  CHECK(complaint({}) == start + "must be a state that simulate saved; start again without --resume");
-  CHECK(with("/schema", "ricochet/scene/1") == complaint({}));
+  CHECK(complaint(Json::object()) == start + "must be a state that simulate saved; start again without --resume");
+  CHECK(with("/schema", "ricochet/scene/1") == complaint(Json::object()));
   CHECK(with("/schema", "ricochet/state/1") ==
         start +
-            "/schema = \"ricochet/state/1\": must be \"ricochet/state/5\", as this version of simulate saves; "
+            "/schema = \"ricochet/state/1\": must be \"ricochet/state/6\", as this version of simulate saves; "
             "start again without --resume");
   CHECK(with("/scene", "1") == start + "of another scene; must be of the one given");
-  CHECK_THROWS_WITH(read_checkpoint("d/state.json", "{\"schema\": ", scene()), Catch::Contains("must be a state"));
+  CHECK(complaint_of("7") == complaint(Json::object()));
 }

@@ -106,15 +106,15 @@ class NotConverged : public std::runtime_error {
 /// direct's; and also where it met the tolerance in e_n, but not in the parameters: close to e_n = 1 the rounding of a
 /// collision hides −ln e_n, with which they go, from a search.
 ///
-/// In exact arithmetic every e_n in (0, 1] can be reached, but for the laws of real solids: at what is held of them none
-/// keeps less than `restitution_bound`. Infeasible are also those to which the rounding of the parameters to doubles
+/// In exact arithmetic every e_n in (0, 1] can be reached, but for the laws of real solids: at what is held of them
+/// none keeps less than `restitution_bound`. Infeasible are also those to which the rounding of parameters to doubles
 /// leaves a relative error above the tolerance (1e-16 L³, L = |ln e_n|, for linear by overlap, 1e-15 L³ for tsuji,
 /// 1e-15/e_n² for fractional and fractional-kelvin-voigt by overlap, 2e-16/(1 − α) for fractional by force), and those
 /// with a parameter that is no normal double. What the check cannot confirm to the tolerance, because its own error
 /// bound (see `collide`) is larger, is answered with a remark.
 ///
-/// Throws std::invalid_argument for a target, stiffness, what is held, algorithm or tolerance outside its domain and for
-/// an end that the law does not offer; NotConverged when the check contradicts the answer.
+/// Throws std::invalid_argument for a target, stiffness, what is held, algorithm or tolerance outside its domain and
+/// for an end that the law does not offer; NotConverged when the check contradicts the answer.
 Outcome calibrate(const Request& request, const Settings& settings = {});
 
 }  // namespace ricochet::calibration

@@ -22,9 +22,10 @@ namespace ricochet::calibration {
 /// itself has no more digits: 1e-14/|ln e_n| in c. Proved against `calibrate` in tests/calibrate. What the tables leave
 /// out (e_n < 0.006, the fractional law ended by overlap and, but for 1, above e_n = 0.9999) goes the slow way, by
 /// `unit_law`: as exact, and a thousand times slower (milliseconds). So do the laws of real solids, whose functions are
-/// others for every α: 1 ms, of fractional-hertz 20.
+/// others for every α, 1 ms, of fractional-hertz 20; but what was found for an e_n is kept.
 ///
-/// Immutable but for the tables, which are made once; may be shared between threads, whose answers are the same bits.
+/// Immutable but for the tables, which are made once, and for what is kept; may be shared between threads, whose
+/// answers are the same bits.
 class DirectCalibrator {
  public:
   using Answer = std::variant<AnyLaw, Infeasible>;

@@ -11,6 +11,8 @@
 
 namespace ricochet::console {
 
+class Progress;
+
 /// A value of a JSON file that knows its place: every complaint names line, column and JSON path.
 class Node {
  public:
@@ -57,7 +59,9 @@ class Node {
 };
 
 /// Parses JSON; syntax errors and repeated keys are reported with line and column. `described_in` is the document that
-/// says what such a file holds.
-Json parse_json(const std::string& file, const std::string& text, std::string_view described_in);
+/// says what such a file holds. `progress`, if any, is advanced by twice the bytes of the text, in pieces of
+/// 64 KiB.
+Json parse_json(const std::string& file, const std::string& text, std::string_view described_in,
+                Progress* progress = nullptr);
 
 }  // namespace ricochet::console

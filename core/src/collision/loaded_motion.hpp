@@ -11,8 +11,8 @@
 
 namespace ricochet::collision {
 
-/// Without the load the force is negative between its first two zeros, from tau on; with it, if at all, then in the same
-/// dip, which is no longer than `dip`.
+/// Without the load the force is negative between its first two zeros, from tau on; with it, if at all, then in the
+/// same dip, which is no longer than `dip`.
 template <class Motion>
 std::optional<double> end_of(const Motion& motion, double tau, double dip) {
   constexpr int cells = 64;

@@ -29,8 +29,12 @@ constexpr double printed_k = paper::five_spheres.k;
 constexpr double stiffnesses[] = {1e3, 1e4, 1e5, 1e6, 1e7};
 constexpr double duration = 0.03, sampling = 1e-4;  // s
 
-// A 200th of what the lightest pair's collision lasts, and no coarser than what Figs. 7-9 are drawn with.
-double step_for(Choice choice) { return std::min(4e-6, stiffest_contact(cluster::five_spheres(choice)).tcol / 200); }
+constexpr double steps_per_collision = 200;
+
+// Of the lightest pair's collision, and no coarser than what Figs. 7-9 are drawn with.
+double step_for(Choice choice) {
+  return std::min(4e-6, stiffest_contact(cluster::five_spheres(choice)).tcol / steps_per_collision);
+}
 
 Run run(Choice choice) { return cluster::run(choice, duration, step_for(choice), sampling); }
 
@@ -93,8 +97,15 @@ std::vector<Run> duration_scan(const std::vector<Run>& strong, const std::vector
   return scan;
 }
 
+double shortest(const Run& r) {
+  double least = duration;
+  for (const Encounter& e : r.collisions) least = std::min(least, e.end - e.begin);
+  return least;
+}
+
 void conservation_gates(std::vector<Gate>& gates, const Run& r) {
   const std::string at = fmt::format(", alpha = {}", r.law.alpha);
+  gates.push_back(at_least("steps in the shortest collision" + at, shortest(r) / r.step, steps_per_collision));
   gates.push_back(at_most("momentum, greatest relative change" + at, r.momentum_drift, 1e-12));
   gates.push_back(at_most("angular momentum, greatest relative change" + at, r.angular_drift, 1e-12));
   gates.push_back(at_most("kinetic and stored energy, greatest relative rise" + at, r.energy_growth, 1e-6));

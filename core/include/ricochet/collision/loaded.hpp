@@ -16,8 +16,8 @@ namespace ricochet {
 /// group. That R is 0 does not mean that the load leaves the bodies apart: `clears` tells.
 ///
 /// Any law but those below: generic `collide`, the load in the momentum of each step. Error: that of `collide`, times
-/// 1 + N t_col/(m v₀), which is to be below 100: beyond, whether R grazes 0 is not told. Throws std::invalid_argument as
-/// `collide`, and for a load that is negative or not finite.
+/// 1 + N t_col/(m v₀), which is to be below 100: beyond, whether R grazes 0 is not told. Throws std::invalid_argument
+/// as `collide`, and for a load that is negative or not finite.
 template <ContactLaw Law>
 Collision collide_under_load(const Law& law, const Impact& impact, double load, const CollideOptions& options = {});
 
@@ -28,9 +28,9 @@ Collision collide_under_load(const Law& law, const Impact& impact, double load, 
 Collision collide_under_load(const Fractional& law, const Impact& impact, double load,
                              const CollideOptions& options = {});
 
-/// The laws of real solids. Kelvin–Voigt and Zener by the same superposition of the transforms, y' and ∫y of the motion y
-/// without the load; Hertz by collocation of x' = v₀ + N t/m − …. Error: 1e-11, more where R grazes 0; fractional-hertz
-/// 1e-10.
+/// The laws of real solids. Kelvin–Voigt and Zener by the same superposition of the transforms, y' and ∫y of the
+/// motion y without the load; Hertz by collocation of x' = v₀ + N t/m − …. Error: 1e-11, more where R grazes 0;
+/// fractional-hertz 1e-10.
 Collision collide_under_load(const FractionalKelvinVoigt& law, const Impact& impact, double load,
                              const CollideOptions& options = {});
 Collision collide_under_load(const FractionalHertz& law, const Impact& impact, double load,

@@ -96,7 +96,7 @@ concept RemembersAll = requires(const Law& law) {
 MaxwellArms::Parts fractional_parts(double coefficient, double alpha, const MemoryKernel& kernel);
 
 /// The arms of one collision that takes `duration` [s], made for steps of a 400th of it: their kernel is right to 1e-9
-/// from there on, or as nearly as the most arms are that a contact carries (`affordable_kernel`), and what the collision
+/// from there on, or as nearly as the most arms are that a contact carries (`affordable_kernel`), and what a collision
 /// makes of it to 1e-8, where en is not small. A better kernel takes ten times as long to find.
 /// Throws as `affordable_kernel` does.
 template <RemembersAll Law>
