@@ -1,6 +1,7 @@
 #include "fit_figure.hpp"
 
 #include <console/gnuplot.hpp>
+#include <console/law_colour.hpp>
 #include <console/number.hpp>
 #include <console/table.hpp>
 
@@ -108,6 +109,20 @@ struct Quantity {
   std::size_t offset, stride;
 };
 
+/// The title as far as a key has room for it.
+std::string key_of(const Line& curve) {
+  constexpr std::size_t room = 60;
+  if (curve.title.size() <= room) return curve.title;
+  const std::size_t end = curve.title.rfind(';', room);
+  const auto more = std::count(curve.title.begin() + static_cast<std::ptrdiff_t>(end), curve.title.end(), ';');
+  return fmt::format("{} and {} more", curve.title.substr(0, end), more);
+}
+
+/// That of the first law of the curve.
+std::string colour_of(const Line& curve) {
+  return fmt::format("lc rgb '{}'", console::law_colour(fit_name(curve.fit->request)));
+}
+
 /// What was measured, and every curve.
 console::Panel upper(const Quantity& of, const Table& measured, const std::vector<Line>& curves, bool known,
                      const std::string& key) {
@@ -121,35 +136,27 @@ console::Panel upper(const Quantity& of, const Table& measured, const std::vecto
   for (std::size_t i = 0; i < curves.size(); ++i)
     panel.curves.push_back({.file = "fit_lines.csv",
                             .what = fmt::format("1:{}", 2 + of.offset + i * of.stride),
-                            .style = fmt::format("lines lw 2 lt {}", i + 1),
-                            .title = curves[i].title});
+                            .style = fmt::format("lines lw 2 {}{}", colour_of(curves[i]),
+                                                 curves[i].fit->request.alpha_of_speed ? " dt 2" : ""),
+                            .title = key_of(curves[i])});
   return panel;
 }
 
 /// What the curves leave over.
-console::Panel lower(const Quantity& of, const Table& measured, std::size_t curves, bool known) {
+console::Panel lower(const Quantity& of, const Table& measured, const std::vector<Line>& curves, bool known) {
   std::vector<double> left_over{0};
-  for (std::size_t i = 0; i < curves; ++i)
+  for (std::size_t i = 0; i < curves.size(); ++i)
     for (const double value : column(measured, 5 + of.offset + i * of.stride)) left_over.push_back(value);
   console::Panel panel{
       .x = {.label = "impact velocity [m/s]", .log = true, .range = range_of(column(measured, 0)), .format = "%g"},
       .y = {.label = known ? "residual / standard error" : "residual", .range = range_of(left_over)},
       .curves = {{.what = "0", .style = "lines lc black lw 1"}}};
-  for (std::size_t i = 0; i < curves; ++i)
+  for (std::size_t i = 0; i < curves.size(); ++i)
     panel.curves.push_back({.file = "fit_points.csv",
                             .what = fmt::format("1:{}", 6 + of.offset + i * of.stride),
-                            .style = fmt::format("points pt 7 ps 0.7 lt {}", i + 1)});
+                            .style = fmt::format("points pt {} ps 0.7 {}",
+                                                 curves[i].fit->request.alpha_of_speed ? 6 : 7, colour_of(curves[i]))});
   return panel;
-}
-
-std::string finding_of(const std::vector<Fit>& fits) {
-  const auto best =
-      std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.aic < b.aic; });
-  std::string text = fmt::format("By the AIC {} fits best", fit_name(best->request));
-  for (const Fit& fit : fits)
-    if (&fit != &*best)
-      text += fmt::format(", {} is {} over it", fit_name(fit.request), console::fixed(fit.aic - best->aic, 1));
-  return text + ".";
 }
 
 }  // namespace
@@ -164,7 +171,7 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
   const Table measured = points(curves, data, times);
   console::Plot plot{.layout = console::Layout{.rows = 2,
                                                .columns = static_cast<int>(quantities.size()),
-                                               .left = times ? 0.09 : 0.12,
+                                               .left = times ? 0.09 : 0.14,
                                                .right = times ? 0.98 : 0.97,
                                                .bottom = foot,
                                                .top = 0.97,
@@ -172,7 +179,7 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
                                                .between_rows = 0.05}};
   std::string key = "at screen 0.5,0.01 center bottom vertical maxcols 1";  // the first panel's, for all
   for (const Quantity& q : quantities) plot.panels.push_back(upper(q, measured, curves, known, std::exchange(key, "")));
-  for (const Quantity& q : quantities) plot.panels.push_back(lower(q, measured, curves.size(), known));
+  for (const Quantity& q : quantities) plot.panels.push_back(lower(q, measured, curves, known));
   return {"fit",
           fmt::format("Measured restitution{} against impact velocity with the fitted laws; below, what they leave "
                       "over.",
@@ -181,7 +188,7 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
           {{"fit_points.csv", measured.csv()}, {"fit_lines.csv", lines(curves, data, times).csv()}},
           times ? 1000 : 720,
           height,
-          finding_of(fits)};
+          preference_text(fits)};
 }
 
 }  // namespace ricochet::calibration

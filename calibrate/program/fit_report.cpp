@@ -38,18 +38,41 @@ struct FitReport {
   std::optional<Report> run = {};               ///< the laws whole, where there is a scale
 };
 
+/// What is held of the laws of which the data tell less than they have; throws where none of these laws holds it.
+Held held_of(const Options& o, const std::vector<LawKind>& laws) {
+  const auto some_holds = [&](std::string_view name) {
+    return std::any_of(laws.begin(), laws.end(), [&](LawKind law) {
+      const auto values = held({.law = law});
+      return std::any_of(values.begin(), values.end(), [&](const NamedValue& v) { return v.name == name; });
+    });
+  };
+  Held kept;
+  const auto take = [&](double& to, const char* flag, std::optional<double> value, std::string_view name, bool ok,
+                        std::string_view accepted) {
+    if (!value) return;
+    if (!some_holds(name)) throw BadInput(fmt::format("{}: must be left out with --fit and --law {}", flag, o.law));
+    if (!ok) throw BadInput(flag, console::shortest(*value), std::string(accepted));
+    to = *value;
+  };
+  take(kept.alpha, "--alpha", o.asked.alpha, "alpha", domains::degree.contains(o.asked.alpha.value_or(0)),
+       domains::degree.accepted);
+  take(kept.stiffening, "--stiffening", o.asked.stiffening, "k1/k", o.asked.stiffening.value_or(1) > 0, "> 0");
+  return kept;
+}
+
 /// The laws that are asked for; what does not offer the asked end is left out, or refused where it stands alone.
 std::vector<FitRequest> requests_of(const Options& o, const Measurement& bodies, std::vector<LeftOut>& left_out) {
   const auto end = o.end.empty() ? ContactEnd::force : end_named("--end", o.end);
-  std::vector<LawKind> laws{kind_of<Linear>, kind_of<KuwabaraKono>, kind_of<Tsuji>, kind_of<Hysteretic>,
-                            kind_of<Fractional>};
+  const auto every = LawKind::all();
+  std::vector<LawKind> laws(every.begin(), every.end());
   if (!o.law.empty() && o.law != "all") laws = {law_named("--law", o.law)};
-  if (o.alpha_of_speed && laws.back() != kind_of<Fractional>)
+  if (o.alpha_of_speed && laws.size() == 1 && laws.front() != kind_of<Fractional>)
     throw BadInput("--alpha-of-speed: must be given with --law fractional or all");
+  const Held held = held_of(o, laws);
   std::vector<FitRequest> all;
   for (const LawKind law : laws) {
     if (law.ends().offer(end)) {
-      all.push_back({law, end, bodies.mass_eff, false, bodies.radius_eff});
+      all.push_back({law, end, bodies.mass_eff, false, bodies.radius_eff, held});
       continue;
     }
     if (laws.size() == 1) throw BadInput("--end", o.end, "force with --law " + o.law);
@@ -80,9 +103,15 @@ Table parameter_table(const FitReport& report) {
   return table;
 }
 
+/// AICc over that of the law which the AIC prefers.
+console::Cell aicc_over(const Fit& fit, const std::vector<Fit>& fits) {
+  const Fit& best = fits[preferred(fits).best.front()];
+  if (!fit.aicc || !best.aicc) return console::blank();
+  return std::round(1e3 * (*fit.aicc - *best.aicc)) / 1e3;
+}
+
 Table goodness_table(const std::vector<Fit>& fits) {
-  const auto best =
-      std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.aic < b.aic; });
+  const double least = fits[preferred(fits).best.front()].aic;
   const bool known = fits.front().errors_known;
   Table table({{"law"},
                {"end"},
@@ -90,15 +119,17 @@ Table goodness_table(const std::vector<Fit>& fits) {
                {"degrees of freedom"},
                {known ? "chi2/dof" : "scatter"},
                {"probability", "", {.digits = 3}},
-               {"AIC over the best", "", {.digits = 4}}},
+               {"AIC over the best", "", {.digits = 4}},
+               {"AICc over it", "", {.digits = 4}}},
               "How well they fit");
   for (const Fit& fit : fits) {
     const double over = fit.chi2 / static_cast<double>(fit.freedom);
     table.row({fit_name(fit.request), std::string(text(fit.request.end)), fit.chi2,
                static_cast<std::int64_t>(fit.freedom), known ? over : std::sqrt(over),
-               known ? console::Cell(fit.probability) : console::blank(),
-               std::round(1e3 * (fit.aic - best->aic)) / 1e3});
+               known ? console::Cell(fit.probability) : console::blank(), std::round(1e3 * (fit.aic - least)) / 1e3,
+               aicc_over(fit, fits)});
   }
+  if (const auto text = preference_text(fits); !text.empty()) table.note(text);
   return table;
 }
 
@@ -169,12 +200,24 @@ Json json_of(const Fit& fit, bool times) {
   out["errors_known"] = fit.errors_known;
   out["probability"] = fit.errors_known ? Json(fit.probability) : Json(nullptr);
   out["aic"] = fit.aic;
+  out["aicc"] = fit.aicc ? Json(*fit.aicc) : Json(nullptr);
   out["fitted"] = Json::array();
   for (const Prediction& p : fit.predictions) {
     out["fitted"].push_back({{"en", p.en}});
     if (times) out["fitted"].back()["tcol"] = p.tcol;
   }
+  out["held"] = Json::object();
+  for (const NamedValue& value : held(fit.request)) out["held"][value.name] = value.value;
   out["findings"] = fit.findings;
+  return out;
+}
+
+Json json_of(const Preference& found, const std::vector<Fit>& fits) {
+  Json out{{"laws", Json::array()}, {"next", nullptr}, {"ahead", nullptr}};
+  for (const std::size_t place : found.best) out["laws"].push_back(fit_name(fits[place].request));
+  if (!found.next) return out;
+  out["next"] = fit_name(fits[*found.next].request);
+  out["ahead"] = found.ahead;
   return out;
 }
 
@@ -188,6 +231,7 @@ std::string json_of(const FitReport& report) {
   out["measurements"] = console::rows_of(measured);
   out["results"] = Json::array();
   for (const Fit& fit : report.fits) out["results"].push_back(json_of(fit, report.data.front().tcol > 0));
+  out["preferred"] = json_of(preferred(report.fits), report.fits);
   out["left_out"] = Json::array();
   for (const auto& [request, reason] : report.left_out)
     out["left_out"].push_back(
@@ -300,8 +344,9 @@ void require_run(const Options& options, const FitReport& report) {
 
 console::Exit run_fit(const Options& options) {
   take_only(options, "--fit",
-            flags_of({Topic::scale, Topic::impact}, {"--fit", "--law", "--end", "--match", "--wall", "--alpha-of-speed",
-                                                     "--figures", "--export", "--report", "--format", "--output"}));
+            flags_of({Topic::scale, Topic::held, Topic::impact},
+                     {"--fit", "--law", "--alpha", "--end", "--match", "--wall", "--alpha-of-speed", "--figures",
+                      "--export", "--report", "--format", "--output"}));
   FitReport report;
   Measured measured = read_measurements(options.fit, {options.asked.density, options.asked.wall});
   report.data = std::move(measured.data);

@@ -47,6 +47,17 @@ Infeasible not_to_be_run(const Fit& fit, double velocity, double en) {
           .quantity = ""};
 }
 
+/// What one collision leaves open of the law: as it is fitted, or as it was held.
+void take_held(Asked& asked, const Fit& fit) {
+  asked.alpha.reset();
+  asked.stiffening.reset();
+  if (!holds_degree(fit.request.law)) return;
+  asked.alpha = fit.request.held.alpha;
+  for (const Estimate& p : fit.parameters)
+    if (p.name == "alpha") asked.alpha = p.value;
+  if (fit.request.law == kind_of<FractionalZener>) asked.stiffening = fit.request.held.stiffening;
+}
+
 void add(Report& report, const Fit& fit, Asked asked, bool times) {
   const double velocity = *asked.velocity;
   const Prediction p = predict(fit, velocity);
@@ -55,6 +66,7 @@ void add(Report& report, const Fit& fit, Asked asked, bool times) {
     return;
   }
   asked.en = std::min(p.en, 1.0);
+  take_held(asked, fit);
   if (times) asked.tcol = p.tcol;
   const Reading reading = read(asked, Spelling::flags);
   if (!fits(reading.spring, fit.request.law)) {

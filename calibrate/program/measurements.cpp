@@ -1,5 +1,6 @@
 #include "measurements.hpp"
 
+#include <calibrate/flights.hpp>
 #include <calibrate/known.hpp>
 #include <console/exit.hpp>
 #include <console/number.hpp>
@@ -13,8 +14,6 @@
 namespace ricochet::calibration {
 namespace {
 
-constexpr double gravity = 9.80665;  // [m/s²], the standard one
-
 enum Column : std::size_t {
   velocity,
   drop_height,
@@ -27,6 +26,12 @@ enum Column : std::size_t {
   mass,
   radius,
   diameter,
+  flight_time,
+  bounce_start,
+  bounce_end,
+  bounces,
+  time_sigma,
+  series,
   count
 };
 constexpr std::array<console::CsvColumn, count> columns{
@@ -42,7 +47,19 @@ constexpr std::array<console::CsvColumn, count> columns{
     {.name = "tcol_sigma", .unit = "s", .aliases = "sigma_t,sigma_tcol,tcol_error"},
     {.name = "mass", .unit = "kg", .aliases = "m"},
     {.name = "radius", .unit = "m", .aliases = "r"},
-    {.name = "diameter", .unit = "m", .aliases = "d"}};
+    {.name = "diameter", .unit = "m", .aliases = "d"},
+    {.name = "flight_time", .unit = "s", .aliases = "flight,time of flight"},
+    {.name = "bounce_start", .unit = "s", .aliases = "start,t_start,start time"},
+    {.name = "bounce_end", .unit = "s", .aliases = "end,t_end,end time"},
+    {.name = "bounces", .aliases = "number of bounces"},
+    {.name = "time_sigma", .unit = "s", .aliases = "time_error"},
+    {.name = "series", .aliases = "trial,run"}};
+
+/// Do these columns make a restitution of flights, and no other?
+bool by_flights(const auto& file) {
+  return !file.has(en) && !file.has(rebound_height) && !file.has(rebound_velocity) &&
+         (file.has(flight_time) || (file.has(bounce_start) && file.has(bounce_end)));
+}
 
 /// A file and what its columns amount to.
 class Reader {
@@ -53,13 +70,24 @@ class Reader {
   Measured all() {
     check_head();
     Measured measured;
-    while (file_.next()) measured.data.push_back(row());
-    if (measured.data.empty()) file_.fail("no rows: must be a header with velocity and en, and measurements");
+    if (by_flights(file_))
+      add_bounces(measured.data);
+    else
+      while (file_.next()) measured.data.push_back(row());
+    if (measured.data.empty())
+      file_.fail(by_flights(file_) ? "no rows: must be two flights of a series at least"
+                                   : "no rows: must be a header with velocity and en, and measurements");
     auto left = file_.ignored();
     for (const std::string& name : needless()) left.push_back(name);
     if (!left.empty()) measured.notes.push_back(fmt::format("columns that are not read: {}", fmt::join(left, ", ")));
-    if (!file_.has(velocity))
-      measured.notes.push_back(fmt::format("velocities are those of a fall at {} m/s^2", console::shortest(gravity)));
+    if (by_flights(file_))
+      measured.notes.push_back(
+          fmt::format("restitutions and velocities are those of flights at {} m/s^2, each from two "
+                      "rows; neighbours share one, and its error with opposite signs",
+                      console::shortest(standard_gravity)));
+    else if (!file_.has(velocity))
+      measured.notes.push_back(
+          fmt::format("velocities are those of a fall at {} m/s^2", console::shortest(standard_gravity)));
     return measured;
   }
 
@@ -77,14 +105,28 @@ class Reader {
     for (const std::size_t column : {rebound_height, rebound_velocity})
       if (file_.has(column) && (file_.has(en) || (column == rebound_velocity && by_height())))
         names.emplace_back(columns[column].name);
+    if (by_flights(file_)) {
+      add_present(names, {velocity, drop_height});
+      if (file_.has(flight_time)) add_present(names, {bounce_start, bounce_end, bounces});
+    } else {
+      add_present(names, {flight_time, bounce_start, bounce_end, bounces, time_sigma, series});
+    }
     return names;
+  }
+  void add_present(std::vector<std::string>& names, std::initializer_list<std::size_t> some) const {
+    for (const std::size_t column : some)
+      if (file_.has(column)) names.emplace_back(columns[column].name);
   }
   bool by_height() const { return !file_.has(en) && file_.has(rebound_height); }
 
   void check_head() const {
     if (!file_.any()) file_.fail("no rows: must be a header with velocity and en, and measurements");
-    need({velocity, drop_height}, "drop_height");
-    need({en, rebound_height, rebound_velocity}, "rebound_height or rebound_velocity");
+    if (by_flights(file_)) {
+      check_flights();
+    } else {
+      need({velocity, drop_height}, "drop_height");
+      need({en, rebound_height, rebound_velocity}, "rebound_height or rebound_velocity, or flight_time");
+    }
     if (by_height() && !file_.has(drop_height))
       file_.fail("column drop_height: missing: must be given with rebound_height");
     if (file_.has(tcol) != file_.has(tcol_sigma)) file_.fail("tcol and tcol_sigma: must be given together");
@@ -95,6 +137,68 @@ class Reader {
     if (file_.has(radius) && file_.has(diameter)) file_.fail("column = diameter: must be left out with radius");
     if ((file_.has(radius) || file_.has(diameter)) && !file_.has(mass) && !shots_.density)
       file_.fail("column mass: missing: must be given with radius or diameter, or --density");
+  }
+
+  void check_flights() const {
+    for (const std::size_t column : {en_sigma, tcol, tcol_sigma})
+      if (file_.has(column)) file_.fail(fmt::format("column {}: must be left out with flights", columns[column].name));
+    if (!file_.has(flight_time) && !file_.has(bounces))
+      file_.fail("column bounces: missing: must be given with bounce_start and bounce_end");
+    const std::size_t of = file_.has(flight_time) ? flight_time : bounce_start;
+    for (const std::size_t column : {bounce_end, time_sigma})
+      if (file_.has(column) && (column == time_sigma || of == bounce_start) &&
+          file_.states_unit(column) != file_.states_unit(of))
+        file_.fail(fmt::format("column {}: unit missing: must be given in the head of all times, or of none",
+                               columns[file_.states_unit(of) ? column : of].name));
+  }
+
+  /// A row of flights. Single ones follow each other: where `before` ends.
+  Flights flights(const std::optional<Flights>& before) const {
+    Flights f;
+    if (file_.has(time_sigma)) f.sigma = number(time_sigma);
+    if (file_.has(flight_time)) {
+      f.length = number(flight_time);
+      if (before) f.start = before->start + before->length;
+      f.sigma /= std::sqrt(2.0);  // of the flight, which has two ends
+      return f;
+    }
+    f.start = file_.number(bounce_start, "a number in [-1e30, 1e30]");
+    if (!(std::abs(f.start) <= 1e30)) file_.reject(bounce_start, "a number in [-1e30, 1e30]");
+    f.length = file_.number(bounce_end, "later than bounce_start") - f.start;
+    if (!(f.length > 0 && f.length <= 1e30)) file_.reject(bounce_end, "later than bounce_start");
+    f.count = file_.number(bounces, "a whole number from 1 to 1e6");
+    if (!(f.count >= 1 && f.count <= 1e6 && f.count == std::floor(f.count)))
+      file_.reject(bounces, "a whole number from 1 to 1e6");
+    if (!before) return f;
+    if (f.count != before->count) file_.reject(bounces, "that of the row before, or in another series");
+    if (!(f.start > before->start)) file_.reject(bounce_start, "later than in the row before, or in another series");
+    if (!(f.start + f.length > before->start + before->length))
+      file_.reject(bounce_end, "later than in the row before, or in another series");
+    return f;
+  }
+
+  /// One of each two rows that follow each other in a series.
+  void add_bounces(std::vector<Measurement>& data) {
+    std::optional<Flights> before;
+    std::string last;
+    while (file_.next()) {
+      if (file_.has(series) && file_.text(series) != last) before.reset();
+      if (file_.has(series)) last = file_.text(series);
+      const Flights here = flights(before);
+      if (before) data.push_back(bounce(*before, here));
+      before = here;
+    }
+  }
+
+  Measurement bounce(const Flights& before, const Flights& after) const {
+    const std::size_t column = file_.has(flight_time) ? flight_time : bounce_end;
+    if (after.mean() > before.mean()) file_.reject(column, "such that flights do not grow, or in another series");
+    const Bounce b = bounce_between(before, after);
+    if (!(b.en > 0 && b.velocity >= 1e-30 && b.velocity <= 1e30)) file_.reject(column, "a flight of a bouncing ball");
+    Measurement m{.velocity = b.velocity, .en = b.en, .en_sigma = b.en_sigma};
+    m.line = file_.line();
+    add_bodies(m);
+    return m;
   }
 
   double number(std::size_t column) const {
@@ -125,7 +229,7 @@ class Reader {
   Measurement row() const {
     Measurement m{};
     m.line = file_.line();
-    m.velocity = file_.has(velocity) ? number(velocity) : std::sqrt(2 * gravity * number(drop_height));
+    m.velocity = file_.has(velocity) ? number(velocity) : std::sqrt(2 * standard_gravity * number(drop_height));
     m.en = restitution(m.velocity);
     if (file_.has(en_sigma)) m.en_sigma = number(en_sigma);
     if (file_.has(tcol)) m.tcol = number(tcol);
@@ -143,7 +247,7 @@ class Reader {
 bool states_restitution(const std::string& path, const console::CsvHead& head) {
   try {
     const console::CsvColumns known(path, head, columns, console::Unknown::ignored);
-    return known.has(en) || known.has(rebound_height) || known.has(rebound_velocity);
+    return known.has(en) || known.has(rebound_height) || known.has(rebound_velocity) || by_flights(known);
   } catch (const console::BadInput&) {
     return false;
   }

@@ -30,6 +30,12 @@ bool states_restitution(const std::string& path, const console::CsvHead& head);
 ///   en (e, COR, …) or rebound_height [m] (h1): e = √(h₁/h₀), or rebound_velocity [m/s] (v1): e = v₁/v₀
 ///   en_sigma, tcol [s] and tcol_sigma [s]; mass [kg], radius [m] or diameter [m] of the sphere
 ///
+/// or those of a bouncing ball, of which each two rows that follow each other make one impact (calibrate/flights.hpp):
+///
+///   flight_time [s], a row a flight; or bounce_start [s], bounce_end [s] and bounces: from one impact to the one so
+///   many later; time_sigma [s], the standard error of the flight or of either instant; series: rows that belong
+///   together, where there are several
+///
 /// and others, which are left and told of. Throws console::BadInput naming file and line, column, value and what is
 /// accepted.
 Measured read_measurements(const std::string& path, const Shots& shots = {});

@@ -146,8 +146,8 @@ void add_files(CLI::App& app, Options& o) {
   app.add_option(
          "--fit", o.fit,
          "fit the laws to a CSV file of measurements instead: columns velocity or drop_height, en or "
-         "rebound_height, and any of en_sigma, tcol, tcol_sigma, mass, radius, diameter; with collision times or "
-         "a scale the laws come out whole")
+         "rebound_height, or a bouncing ball's flight_time, and any of en_sigma, tcol, tcol_sigma, mass, radius, "
+         "diameter; with collision times or a scale the laws come out whole")
       ->type_name("FILE");
   app.add_flag("--alpha-of-speed", o.alpha_of_speed,
                "with --fit: the fractional law also with an alpha that follows the speed");

@@ -120,12 +120,11 @@ void minimise(Residuals& residuals, const Box& box) {
 VectorXd least_squares(const FitRequest& request, const FitModel& model, const std::vector<Measurement>& data) {
   const Box box = model.box();
   Residuals residuals(request, model, data);
-  const Measurement& typical = data[data.size() / 2];
-  for (const auto& start : model.starts(typical.velocity, typical.tcol))
-    residuals.value(start.cwiseMax(box.low).cwiseMin(box.high));
+  for (const auto& start : model.starts(data)) residuals.value(start.cwiseMax(box.low).cwiseMin(box.high));
   if (!(residuals.best_value < far_off)) throw NotConverged("no start comes near these data");
   for (double before = std::numeric_limits<double>::infinity(); residuals.best_value < before * (1 - 1e-6);) {
     before = residuals.best_value;
+    polish(residuals, box);  // where a start lies near, it is all there is to do, and strays less than a line search
     minimise(residuals, box);
     polish(residuals, box);
   }
@@ -212,14 +211,12 @@ void judge(Fit& fit, const VectorXd& residuals) {
   // Where σ is not known, no less than what the forward model's own error leaves.
   const double least = fit.errors_known ? 0 : n * model_error * model_error;
   fit.aic = fit.errors_known ? fit.chi2 + 2 * p : n * std::log(std::max(fit.chi2, least) / n) + 2 * (p + 1);
+  const double estimated = fit.errors_known ? p : p + 1;
+  if (n > estimated + 1) fit.aicc = fit.aic + 2 * estimated * (estimated + 1) / (n - estimated - 1);
   if (fit.errors_known) fit.probability = gsl_cdf_chisq_Q(fit.chi2, static_cast<double>(fit.freedom));
 }
 
 }  // namespace
-
-std::string fit_name(const FitRequest& request) {
-  return fmt::format("{}{}", request.law.name(), request.alpha_of_speed ? ", alpha(v)" : "");
-}
 
 Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data) {
   require_fit(request, data);
@@ -230,7 +227,14 @@ Fit fit_law(const FitRequest& request, const std::vector<Measurement>& data) {
   const Residuals residuals(request, *model, data);
   const VectorXd r = residuals(u);
 
-  Fit fit{request, {}, {}, {}, r.squaredNorm(), static_cast<std::size_t>(r.size()), 0, data[0].en_sigma > 0, 0, 1};
+  Fit fit{.request = request,
+          .parameters = {},
+          .correlations = {},
+          .predictions = {},
+          .chi2 = r.squaredNorm(),
+          .observations = static_cast<std::size_t>(r.size()),
+          .errors_known = data[0].en_sigma > 0,
+          .probability = 1};
   fit.freedom = fit.observations - static_cast<std::size_t>(u.size());
   const double scatter = std::sqrt(fit.chi2 / static_cast<double>(fit.freedom));
   const auto names = names_of(*model, u);

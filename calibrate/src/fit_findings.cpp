@@ -30,7 +30,7 @@ std::size_t observations_in(const std::vector<Measurement>& data) { return data.
 /// Does the restitution that is left over follow the speed? So it is where the slope of the residuals against ln v is
 /// four standard errors from 0, both by their own scatter and by what is known of it: the stated errors, or the
 /// model's.
-bool follows_speed(const Fit& fit, const VectorXd& r, const std::vector<Measurement>& data) {
+bool rest_follows_speed(const Fit& fit, const VectorXd& r, const std::vector<Measurement>& data) {
   const Index stride = data[0].tcol > 0 ? 2 : 1;
   const Index count = static_cast<Index>(data.size());
   VectorXd x(count), y(count);
@@ -47,8 +47,17 @@ bool follows_speed(const Fit& fit, const VectorXd& r, const std::vector<Measurem
   return along * along > 16 * std::max(rest, sigma * sigma);
 }
 
-bool constant_restitution(const FitRequest& request) {
-  return request.law != kind_of<KuwabaraKono> && !request.alpha_of_speed;
+/// Of what the data tell and what not, whatever they are.
+void add_limits(std::vector<std::string>& said, const FitRequest& request, bool with_times) {
+  if (!with_times) said.push_back("no collision times: the stiffness cannot be told, only what sets the restitution");
+  if (request.law == kind_of<Fractional> && !request.alpha_of_speed && with_times)
+    said.push_back("k and c cannot be told apart: only c^alpha k^(1-alpha) shows");
+  std::vector<std::string> kept;
+  for (const NamedValue& value : held(request))
+    kept.push_back(fmt::format("{} = {}", value.name, support::shortest(value.value)));
+  if (!kept.empty())
+    said.push_back(fmt::format("held, not fitted: {}; the law says the same at every speed, {}", fmt::join(kept, ", "),
+                               with_times ? "a time and a restitution" : "one restitution"));
 }
 
 }  // namespace
@@ -61,6 +70,8 @@ void require_fit(const FitRequest& request, const std::vector<Measurement>& data
         fmt::format("end = {}: must be force for the law {}", text(request.end), request.law.name()));
   if (request.alpha_of_speed && request.law != kind_of<Fractional>)
     throw std::invalid_argument(fmt::format("alpha_of_speed = true: must be false for the law {}", request.law.name()));
+  require(domains::degree.contains(request.held.alpha), "alpha", request.held.alpha, domains::degree.accepted);
+  support::require_positive("k1/k", request.held.stiffening);
   require(!data.empty(), "measurements", 0, "at least 1");
   for (const Measurement& m : data) {
     require_scale("velocity", m.velocity);
@@ -121,23 +132,24 @@ std::vector<std::string> findings(const Fit& fit, const std::vector<std::string>
                                   const VectorXd& residuals, const std::vector<Measurement>& data) {
   std::vector<std::string> said;
   const bool with_times = data[0].tcol > 0;
-  if (!with_times) said.push_back("no collision times: the stiffness cannot be told, only what sets the restitution");
-  if (fit.request.law == kind_of<Fractional> && !fit.request.alpha_of_speed && with_times)
-    said.push_back("k and c cannot be told apart: only c^alpha k^(1-alpha) shows");
+  add_limits(said, fit.request, with_times);
   if (fit.errors_known && std::any_of(data.begin(), data.end(), [](const Measurement& m) {
         return m.en_sigma < 10 * model_error || m.tcol_sigma < 10 * model_error * m.tcol;
       }))
     said.push_back("stated errors come near the fit's own error, 1e-9, which is not in those of the parameters");
-  if (follows_speed(fit, residuals, data))
-    said.push_back(constant_restitution(fit.request)
-                       ? "misfit: the law gives the same restitution at every speed, the data change with it"
-                       : "misfit: what the law leaves over follows the speed");
+  if (rest_follows_speed(fit, residuals, data))
+    said.push_back(follows_speed(fit.request)
+                       ? "misfit: what the law leaves over follows the speed"
+                       : "misfit: the law gives the same restitution at every speed, the data change with it");
   else if (fit.errors_known && fit.probability < 1e-3)
     said.push_back("misfit: a chi2 this large comes by chance less than once in a thousand");
   add_outliers(said, fit, residuals, data);
   for (const std::string& name : at_the_edge)
     said.push_back(
         fmt::format("{} has run to the end of its range: the data only tell that it is there or beyond", name));
+  if (fit.request.law == kind_of<FractionalHertz> && fit.solution[0] > hertz_without_spring - 4)
+    said.push_back(
+        "the spring takes a hundredth or less: k = 0, the pure power law, fits with one restitution at every speed");
   for (const Estimate& p : fit.parameters)
     if (!(p.error < std::abs(p.value)) &&
         std::find(at_the_edge.begin(), at_the_edge.end(), p.name) == at_the_edge.end())

@@ -1,5 +1,7 @@
 #include "fit_model.hpp"
 
+#include "fit_base.hpp"
+#include "fit_solids.hpp"
 #include "forward.hpp"
 
 #include <ricochet/collision/damping_ratio.hpp>
@@ -13,14 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-double logistic(double x) { return 1 / (1 + std::exp(-x)); }
-
-VectorXd vector(std::initializer_list<double> values) {
-  VectorXd v(static_cast<Index>(values.size()));
-  std::copy(values.begin(), values.end(), v.begin());
-  return v;
-}
-
 const ForwardFractional& forward_fractional(ContactEnd end) {
   static const ForwardFractional by_force(ContactEnd::force);
   if (end == ContactEnd::force) return by_force;
@@ -30,51 +24,6 @@ const ForwardFractional& forward_fractional(ContactEnd end) {
 
 /// The α up to which the bodies part.
 double greatest_alpha(ContactEnd end) { return end == ContactEnd::force ? 1 : overlap_limit; }
-
-/// e_n = 1 − O(e^u) for the loss that belongs to u: below −16 data cannot tell it from 1, nor central differences its
-/// slope.
-constexpr double least_loss = -16;
-/// ln(α/(α_max − α)): at 6.9, α is a thousandth short of where nothing rebounds.
-constexpr double greatest_logit = 6.9;
-/// |ln k|, |ln c|, far outside what times and masses within 10^±50 need and inside what doubles hold.
-constexpr double greatest_log = 400;
-
-/// With times: u = (a measure of the loss, ln of the stiffness). Without: u = (the measure), and the stiffness does not
-/// matter.
-class Base : public FitModel {
- public:
-  Base(const FitRequest& request, bool with_times) : request_(request), with_times_(with_times) {}
-  Box box() const override {
-    if (!with_times_) return {vector({least_loss}), vector({greatest_loss()})};
-    return {vector({least_loss, -greatest_log}), vector({greatest_loss(), greatest_log})};
-  }
-  std::vector<VectorXd> starts(double velocity, double tcol) const override {
-    std::vector<VectorXd> all;
-    for (int i = -12; i <= 4 && 0.5 * i <= greatest_loss(); ++i) {
-      VectorXd u(unknowns());
-      u[0] = 0.5 * i;
-      if (with_times_) {
-        // t_col ∝ k^{−1/time_power}: from the time that k = 1 gives to the typical one.
-        u[1] = 0;
-        const double now = predict(u, {velocity}).tcol;
-        if (!(now > 0)) continue;
-        u[1] = time_power() * std::log(now / tcol);
-      }
-      all.push_back(u);
-    }
-    return all;
-  }
-
- protected:
-  virtual double time_power() const { return 2; }
-  virtual double greatest_loss() const = 0;
-  bool by_force() const { return request_.end == ContactEnd::force; }
-  double stiffness(const VectorXd& u) const { return with_times_ ? std::exp(u[1]) : 1; }
-  double mass() const { return request_.mass_eff; }
-
-  FitRequest request_;
-  bool with_times_;
-};
 
 /// e_n and the collision time of a PowerLaw at k = m = v₀ = 1.
 template <class Law>
@@ -94,9 +43,13 @@ Reduced reduced<Linear>(double log_group, ContactEnd end) {
 /// The measure is ln γ at 1 m/s. With T = (m/(k v^{P−1}))^{1/(P+1)} and γ = c v^Q T^{Q+1}/m, γ goes with
 /// v^{Q − (Q+1)(P−1)/(P+1)}: not at all for the linear law and Tsuji's, with v^{1/5} for Kuwabara and Kono's.
 template <class Law>
-class PowerModel : public Base {
+class PowerModel : public LossModel {
+  static constexpr double P = Law::stiffness_power, Q = Law::damping_power;
+  static constexpr double speed_power = Q - (Q + 1) * (P - 1) / (P + 1);
+
  public:
-  using Base::Base;
+  static constexpr bool follows_speed = speed_power != 0;
+  using LossModel::LossModel;
   Prediction predict(const VectorXd& u, const Shot& s) const override {
     // k of this shot over that of the request.
     const double stiffer = P == 1 ? 1 : std::sqrt(s.radius_ratio);
@@ -112,8 +65,6 @@ class PowerModel : public Base {
   }
 
  private:
-  static constexpr double P = Law::stiffness_power, Q = Law::damping_power;
-  static constexpr double speed_power = Q - (Q + 1) * (P - 1) / (P + 1);
   /// ln of what γ = c k^{−q} m^{q−1}, q = (Q+1)/(P+1), is multiplied by where c goes with k; a law whose restitution
   /// does not follow the speed has it from its material, whatever the size.
   static double of_size(const Shot& s, double stiffer) {
@@ -126,9 +77,10 @@ class PowerModel : public Base {
 
 /// Any other law, by `collide` itself; the measure is the loss of its Reduction's coordinates.
 template <class Law>
-class CollidedModel : public Base {
+class CollidedModel : public LossModel {
  public:
-  using Base::Base;
+  static constexpr bool follows_speed = !std::is_same_v<Law, Hysteretic>;
+  using LossModel::LossModel;
   Prediction predict(const VectorXd& u, const Shot& s) const override {
     const auto out = collide(law(u), {s.velocity, mass() * s.mass_ratio}, {request_.end});
     return {out.en, out.tcol};
@@ -147,9 +99,10 @@ class CollidedModel : public Base {
 };
 
 /// u = (ln α/(α_max − α), ln c^α k^{1−α}).
-class FractionalModel : public Base {
+class FractionalModel : public LossModel {
  public:
-  using Base::Base;
+  static constexpr bool follows_speed = false;
+  using LossModel::LossModel;
   Prediction predict(const VectorXd& u, const Shot& s) const override {
     const double alpha = alpha_at(u);
     const Reduced r = forward_fractional(request_.end)(alpha);
@@ -191,7 +144,8 @@ class SpeedModel : public FitModel {
     }
     return all;
   }
-  std::vector<VectorXd> starts(double velocity, double tcol) const override {
+  std::vector<VectorXd> starts(const std::vector<Measurement>& data) const override {
+    const double velocity = typical(data).velocity, tcol = typical(data).tcol;
     std::vector<VectorXd> all;
     for (int i = -10; i <= 6; ++i)
       for (const double slope : {-0.5, -0.2, 0.05, 0.2, 0.5}) {
@@ -211,10 +165,6 @@ class SpeedModel : public FitModel {
   bool with_times_;
 };
 
-}  // namespace
-
-namespace {
-
 template <class Law>
 struct ModelOf {
   using type = CollidedModel<Law>;
@@ -227,6 +177,18 @@ template <>
 struct ModelOf<Fractional> {
   using type = FractionalModel;
 };
+template <>
+struct ModelOf<FractionalKelvinVoigt> {
+  using type = KelvinVoigtModel;
+};
+template <>
+struct ModelOf<FractionalHertz> {
+  using type = HertzModel;
+};
+template <>
+struct ModelOf<FractionalZener> {
+  using type = ZenerModel;
+};
 
 }  // namespace
 
@@ -235,6 +197,11 @@ Shot shot_of(const FitRequest& request, const Measurement& m) {
   if (m.mass_eff > 0) shot.mass_ratio = m.mass_eff / request.mass_eff;
   if (m.radius_eff > 0 && request.radius_eff > 0) shot.radius_ratio = m.radius_eff / request.radius_eff;
   return shot;
+}
+
+bool follows_speed(const FitRequest& request) {
+  return request.alpha_of_speed ||
+         request.law.visit([]<class Law>(std::type_identity<Law>) { return ModelOf<Law>::type::follows_speed; });
 }
 
 std::unique_ptr<FitModel> fit_model(const FitRequest& request, bool with_times) {

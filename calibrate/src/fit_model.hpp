@@ -11,6 +11,9 @@ namespace ricochet::calibration {
 /// Error of a model's e_n, and relative of its t_col.
 inline constexpr double model_error = 1e-9;
 
+/// ln g of fractional-hertz at 1 m/s, up to which a fit goes: there k = 0 but in name.
+inline constexpr double hertz_without_spring = 9;
+
 /// Where the search goes: beyond, the law differs from an elastic or a wholly lossy one by less than can be told, or
 /// the bodies no longer part.
 struct Box {
@@ -34,9 +37,8 @@ class FitModel {
   virtual Prediction predict(const Eigen::VectorXd& u, const Shot& shot) const = 0;
   /// What is told the user, as a function of u: one for each unknown.
   virtual std::vector<NamedValue> parameters(const Eigen::VectorXd& u) const = 0;
-  /// Starting points, among which the fit takes the best: losses from small to great. `velocity` and `tcol` are typical
-  /// of the data; tcol is 0 where they have no times.
-  virtual std::vector<Eigen::VectorXd> starts(double velocity, double tcol) const = 0;
+  /// Starting points, among which the fit takes the best: losses from small to great.
+  virtual std::vector<Eigen::VectorXd> starts(const std::vector<Measurement>& data) const = 0;
 };
 
 /// The model of a request; with_times: the data have collision times, so that stiffness can be told.

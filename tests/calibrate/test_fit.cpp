@@ -3,6 +3,8 @@
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -259,12 +261,48 @@ TEST_CASE("a fit of one number is judged by the textbook's formulas") {
   CHECK(weighted.chi2 == Approx(chi2).epsilon(1e-8));
   CHECK(weighted.freedom == 2);
   CHECK(weighted.aic == Approx(chi2 + 2).epsilon(1e-8));
+  CHECK(weighted.aicc.value() == Approx(chi2 + 2 + 2 * 1 * 2 / (3 - 1 - 1)).epsilon(1e-8));
   CHECK(weighted.probability == Approx(std::exp(-chi2 / 2)).epsilon(1e-8));  // of two degrees of freedom
 
   const Fit plain = fitted(0);  // σ² = Σ/(n − 1)
   CHECK(plain.parameters[0].error == Approx(std::sqrt(squares / 2 / 3) / std::abs(slope)).epsilon(1e-5));
   CHECK(plain.aic == Approx(3 * std::log(squares / 3) + 4).epsilon(1e-8));
+  CHECK_FALSE(plain.aicc.has_value());  // a mean and a scatter of three numbers leave nothing
   CHECK(plain.probability == 1);
+}
+
+TEST_CASE("a chi2 is called a misfit where it comes less than once in a thousand") {
+  // Of two degrees of freedom a χ² is passed with the probability exp(−χ²/2); one speed, so that none is followed.
+  const auto said = [](double probability) {
+    const double sigma = std::sqrt((0.03 * 0.03 + 0.01 * 0.01 + 0.04 * 0.04) / (-2 * std::log(probability)));
+    const Fit fit = fit_law({kind_of<Linear>, ContactEnd::overlap, mass},
+                            {{0.3, 0.7, sigma}, {0.3, 0.72, sigma}, {0.3, 0.77, sigma}});
+    CHECK(fit.probability == Approx(probability).epsilon(1e-6));
+    return std::any_of(fit.findings.begin(), fit.findings.end(), [](const std::string& finding) {
+      return finding == "misfit: a chi2 this large comes by chance less than once in a thousand";
+    });
+  };
+  CHECK(said(0.99e-3));
+  CHECK_FALSE(said(1.01e-3));
+}
+
+TEST_CASE("the AIC's order is told, laws that say the same together") {
+  std::mt19937_64 random(11);
+  const auto data = measured(KuwabaraKono(1.4e6, 30), 0.01, 0, random);
+  std::vector<Fit> fits;
+  for (const LawKind law : {kind_of<Linear>, kind_of<KuwabaraKono>, kind_of<Tsuji>})
+    fits.push_back(fit_law({law, ContactEnd::force, mass}, data));
+  const Preference found = preferred(fits);
+  CHECK(found.best == std::vector<std::size_t>{1});
+  CHECK((found.next == 0 || found.next == 2));
+  CHECK(found.ahead == Approx(fits[0].aic - fits[1].aic).epsilon(1e-6));
+  CHECK(preference_text(fits) == fmt::format("By the AIC kuwabara-kono fits best; {:.1f} over it comes {}.",
+                                             found.ahead, fit_name(fits[*found.next].request)));
+  CHECK(preference_text({fits[0], fits[2]}) == "By the AIC none fits better than another of linear, tsuji.");
+  fits[1].aic = fits[0].aic + 5;
+  CHECK(preference_text(fits) == "By the AIC linear, tsuji fit best; 5.0 over them comes kuwabara-kono.");
+  CHECK(preference_text({fits[0]}).empty());
+  CHECK_THROWS_WITH(preferred({}), "fits = 0: must be at least 1");
 }
 
 TEST_CASE("a fit names what it cannot use") {

@@ -18,8 +18,8 @@ struct Coverage {
 };
 
 /// One case a law, with and without collision times: synthetic measurements of a known law with known Gaussian errors
-/// (0.01 in e_n, 2 % in t_col), fitted `trials` times. The law's collisions are `collide`'s, not the fit's own forward
-/// model.
+/// (0.01 in e_n, 2 % in t_col; a tenth of it for fractional-hertz), fitted `trials` times. The law's collisions are
+/// `collide`'s, not the fit's own forward model.
 struct CoverageCase {
   calibration::FitRequest request;
   bool with_times = false;
