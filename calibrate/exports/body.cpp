@@ -16,11 +16,9 @@ Body no_such_law(std::string_view engine, std::string_view law) {
   return absent(fmt::format("NOT WRITTEN: {} has no {} law.", engine, law));
 }
 
-Body no_memory(std::string_view engine, std::string_view law) {
-  if (law == Fractional::name)
-    return absent(
-        fmt::format("NOT WRITTEN: {} has no law with memory; LIGGGHTS runs it through liggghts-ricochet.", engine));
-  return absent(fmt::format("NOT WRITTEN: {} has no {} law, nor has another engine; simulate runs it.", engine, law));
+Body no_memory(std::string_view engine) {
+  return absent(
+      fmt::format("NOT WRITTEN: {} has no law with memory; LIGGGHTS runs it through liggghts-ricochet.", engine));
 }
 
 Body needs_radius() {

@@ -34,8 +34,8 @@ inline std::string rounded(double value) { return support::significant(value, 6)
 Body absent(std::string why);
 /// For an engine that knows nothing like this law.
 Body no_such_law(std::string_view engine, std::string_view law);
-/// For a law that remembers all in an engine that keeps no memory, or none of that law.
-Body no_memory(std::string_view engine, std::string_view law);
+/// For a law that remembers all in an engine that keeps no memory.
+Body no_memory(std::string_view engine);
 /// For a law that is scaled by the grain's radius, when none was given.
 Body needs_radius();
 /// For an engine whose materials make the stiffness, where no materials make those of these pairs.

@@ -185,7 +185,7 @@ struct PairSteps {
 /// As the engine steps the pair, towards what its law gives.
 PairSteps steps_of(const ContactSet& set, const PairCase& pair, const Collision& gives) {
   const ContactEnd end = gives.status == CollisionStatus::ended_by_force ? ContactEnd::force : ContactEnd::overlap;
-  const bool located = std::holds_alternative<Fractional>(pair.law);
+  const bool located = is_located(pair.law, end);
   return {end == set.end ? pair.tcol : gives.tcol, step_errors(pair.law, end, {gives.tcol, gives.en, pair.impact},
                                                                located ? Stepping::located : Stepping::half_step)};
 }

@@ -211,7 +211,7 @@ struct Lammps {
 
   template <RemembersAll Law>
   Body operator()(const Law&) const {
-    return no_memory("LAMMPS", Law::name);
+    return no_memory("LAMMPS");
   }
 
   /// Any law of which nothing is said above.

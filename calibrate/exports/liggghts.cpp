@@ -2,7 +2,9 @@
 
 #include <ricochet/collision/damping_ratio.hpp>
 
+#include <cctype>
 #include <cmath>
+#include <concepts>
 
 namespace ricochet::calibration {
 
@@ -13,6 +15,13 @@ std::string property(std::string_view name, std::string_view kind, const std::ve
   std::string line = fmt::format("fix ricochet_{0} all property/global {0} {1}", name, kind);
   for (const double value : values) line += " " + shortest(value);
   return line;
+}
+
+/// "fractionalK" of k, "fractionalAlpha" of alpha.
+std::string fractional_property(std::string_view parameter) {
+  std::string word(parameter);
+  word.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
+  return "fractional" + word;
 }
 
 struct Liggghts {
@@ -244,9 +253,27 @@ struct Liggghts {
     return body;
   }
 
+  /// A law of real solids, by its parameters.
   template <RemembersAll Law>
   Body operator()(const Law&) const {
-    return no_memory("LIGGGHTS", Law::name);
+    if (set.end != ContactEnd::force)
+      return absent(fmt::format("NOT WRITTEN: normal {} ends contacts by force; export with --end force.", Law::name));
+    if (frictional(set))
+      return no_such_tangential("LIGGGHTS", fmt::format("normal {} makes k_t of a spring of its own", Law::name));
+    std::vector<std::string> properties;
+    for (std::size_t i = 0; i < Law::parameters.size(); ++i) {
+      const std::string_view name = Law::parameters[i].name;
+      properties.push_back(
+          matrix(fractional_property(name), [&](const PairCase& p) { return law_of<Law>(p).values()[i]; }));
+    }
+    Body body{.fidelity = Fidelity::exact,
+              .remarks = {setting(),
+                          "Run with liggghts-ricochet, which adds this model to LIGGGHTS. The parameters are "
+                          "those of every pair alike, whatever its masses and radii."}};
+    if (std::same_as<Law, FractionalHertz>)
+      properties.push_back(property("characteristicVelocity", "scalar", {set.pairs.front().impact.velocity}));
+    body.input = with_style(properties, fmt::format("{} tangential off", Law::name));
+    return body;
   }
 
   /// Any law of which nothing is said above.

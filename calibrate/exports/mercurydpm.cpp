@@ -135,7 +135,7 @@ struct MercuryDpm {
 
   template <RemembersAll Law>
   Body operator()(const Law&) const {
-    return no_memory("MercuryDPM", Law::name);
+    return no_memory("MercuryDPM");
   }
 
   /// Any law of which nothing is said above.

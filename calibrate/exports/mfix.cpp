@@ -161,7 +161,7 @@ DES_ET_WALL_INPUT(1) = 1.0
 
   template <RemembersAll Law>
   Body operator()(const Law&) const {
-    return no_memory("MFiX", Law::name);
+    return no_memory("MFiX");
   }
 
   /// Any law of which nothing is said above.

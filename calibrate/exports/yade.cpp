@@ -224,7 +224,7 @@ struct Yade {
 
   template <RemembersAll Law>
   Body operator()(const Law&) const {
-    return no_memory("Yade", Law::name);
+    return no_memory("Yade");
   }
 
   /// Any law of which nothing is said above.

@@ -92,11 +92,11 @@ struct Stepped {
   std::vector<StepError> errors;
 };
 
-/// The fractional law ended by force as liggghts-ricochet steps it, which alone runs it.
+/// Laws that remember all, ended by force, as liggghts-ricochet steps them, which alone runs them.
 std::vector<Stepped> steppings(const Report& report) {
   std::vector<Stepped> all;
   for (const Calibration& r : report.results) {
-    const bool located = std::holds_alternative<Fractional>(r.law) && r.end == ContactEnd::force;
+    const bool located = is_located(r.law, r.end);
     all.push_back({title_of(r) + (located ? ", liggghts-ricochet" : ""),
                    step_errors(r.law, r.end, r.request.target, located ? Stepping::located : Stepping::half_step)});
   }

@@ -1,5 +1,7 @@
 #include <calibrate/advice.hpp>
 
+#include "solution.hpp"
+
 #include <calibrate/export.hpp>
 #include <half_step_contact.hpp>
 #include <ricochet/collision/scale_and_loss.hpp>
@@ -9,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 
@@ -54,8 +58,8 @@ double stepped_restitution(const Law& law, ContactEnd end, const Impact& impact,
 }
 
 /// The same in liggghts-ricochet, whose contact finds both its ends.
-double located_restitution(const liggghts::HalfStepContact& contact, double coefficient, const Impact& impact, double h,
-                           double lead, int most_steps) {
+template <class Contact>
+double located_restitution(const Contact& contact, const Impact& impact, double h, double lead, int most_steps) {
   std::array<double, liggghts::HalfStepContact::size> history{};
   double overlap = (lead - 1) * h * impact.velocity, rate = impact.velocity, force = 0;
   for (int n = 1; n <= most_steps; ++n) {
@@ -63,7 +67,7 @@ double located_restitution(const liggghts::HalfStepContact& contact, double coef
     overlap += h * half;
     if (overlap <= 0) return -half / impact.velocity;
     contact.advance(history.data(), n, overlap, half, h);
-    force = coefficient * contact.repulsion(history.data());
+    force = contact.repulsion(history.data());
     if (n > 1 && force <= 0) return -half / impact.velocity;
     rate = half - 0.5 * h * force / impact.mass_eff;
   }
@@ -110,26 +114,63 @@ struct Stepped {
 };
 
 /// liggghts-ricochet's contact in units of the step: its memory is a number of steps, so that the kernel, which takes
-/// most of the time here, is the same for all of them. With τ = t/h, D_t^α = h^{−α} D_τ^α, so that mζ'' = −C D^α ζ
-/// keeps its form under the coefficient C h^{2−α} and velocities v h.
+/// most of the time here, is the same for all of them. With τ = t/h and D_t^α = h^{−α} D_τ^α mζ'' = −R keeps its form
+/// for velocities v h and the law whose parameters are counted in steps, its R multiplied by h².
+template <class Law>
 class Located {
  public:
-  Located(const Fractional& law, const Target& target) : law_(law), target_(target), contact_(law.alpha(), 1, memory) {}
+  Located(const Law& law, const Target& target)
+      : law_(law), target_(target), kernel_(affordable_kernel(law.alpha(), {1, memory, 1e-7}, most_arms)) {}
 
   double error(int steps) const {
-    const double h = target_.tcol / steps, coefficient = law_.coefficient() * std::pow(h, 2 - law_.alpha());
+    const double h = target_.tcol / steps;
+    const liggghts::LocatedContact<Law> contact(in_steps(h), kernel_, 1);
     const Impact impact{target_.impact.velocity * h, target_.impact.mass_eff};
-    return worst_error(target_, [&](double lead) {
-      return located_restitution(contact_, coefficient, impact, 1, lead, patience * steps);
-    });
+    return worst_error(target_,
+                       [&](double lead) { return located_restitution(contact, impact, 1, lead, patience * steps); });
   }
 
  private:
   static constexpr int memory = 1000;  // steps, the engine's own choice
-  const Fractional& law_;
+  static constexpr std::size_t most_arms =
+      liggghts::ContactHistory::arm_slots - (MaxwellArms::max_arms - Law::Arms::max_kernel_arms);
+
+  Law in_steps(double h) const {
+    if constexpr (std::same_as<Law, Fractional>) {
+      const double coefficient = law_.coefficient() * std::pow(h, 2 - law_.alpha());
+      return {coefficient, coefficient, law_.alpha()};
+    } else {
+      ParameterValues<Law> values = law_.values();
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const Dimension d = Law::parameters[i].dimension;
+        values[i] *= std::pow(h, -(d.second + d.second_by_alpha * law_.alpha()) / 4);
+      }
+      return Law::from(values);
+    }
+  }
+
+  const Law& law_;
   const Target& target_;
-  liggghts::HalfStepContact contact_;
+  MemoryKernel kernel_;
 };
+
+/// The error as a function of the steps.
+std::function<double(int)> stepping_of(const AnyLaw& law, ContactEnd end, const Target& target, Stepping stepping) {
+  if (stepping == Stepping::half_step)
+    return [&law, &target, end](int steps) { return std::visit(Stepped{end, target, steps}, law); };
+  if (!is_located(law, end))
+    throw std::invalid_argument("liggghts-ricochet locates contacts of laws with a memory that end by force");
+  return std::visit(
+      [&]<class Law>(const Law& one) -> std::function<double(int)> {
+        if constexpr (RemembersAll<Law>) {
+          const auto contact = std::make_shared<Located<Law>>(one, target);
+          return [contact](int steps) { return contact->error(steps); };
+        } else {
+          return {};
+        }
+      },
+      law);
+}
 
 void add_steps(std::vector<EngineStep>& all, std::string_view engine, const std::vector<StepError>& errors,
                double tcol) {
@@ -160,26 +201,25 @@ std::vector<Sensitivity> sensitivities(const AnyLaw& law, ContactEnd end, const 
 }
 
 std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Target& target, Stepping stepping) {
-  const auto* fractional = std::get_if<Fractional>(&law);
-  const bool located = stepping == Stepping::located;
-  if (located && (!fractional || end != ContactEnd::force))
-    throw std::invalid_argument("liggghts-ricochet locates contacts of the fractional law that end by force");
+  const auto error_of = stepping_of(law, end, target, stepping);
   constexpr auto decade = std::to_array({10, 12, 15, 20, 25, 30, 40, 50, 60, 80});
   constexpr double enough = *std::min_element(std::begin(step_bounds), std::end(step_bounds));
-  std::optional<Located> contact;
-  if (located) contact.emplace(*fractional, target);
   std::vector<StepError> all;
   int within = 0;
   for (int tenths = 1; tenths <= 10000; tenths *= 10)
     for (const int digit : decade) {
       const int steps = tenths * digit / 10;
       if (steps < 5 || steps > 20000 || tenths * digit % 10 != 0) continue;
-      const double error = contact ? contact->error(steps) : std::visit(Stepped{end, target, steps}, law);
+      const double error = error_of(steps);
       all.push_back({steps, error});
       within = error <= enough ? within + 1 : 0;
       if (within == 3) return all;
     }
   return all;
+}
+
+bool is_located(const AnyLaw& law, ContactEnd end) {
+  return end == ContactEnd::force && std::visit([]<class Law>(const Law&) { return RemembersAll<Law>; }, law);
 }
 
 std::optional<int> steps_for(const std::vector<StepError>& errors, double bound) {
@@ -190,10 +230,10 @@ std::optional<int> steps_for(const std::vector<StepError>& errors, double bound)
 
 std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Target& target) {
   std::vector<EngineStep> all;
-  const bool fractional = std::holds_alternative<Fractional>(law);
-  if (fractional && end == ContactEnd::force)
+  if (is_located(law, end)) {
     add_steps(all, "liggghts-ricochet", step_errors(law, end, target, Stepping::located), target.tcol);
-  if (fractional) return all;
+    return all;
+  }
   // Whether an engine has the law does not depend on the size of the grains.
   const ExportCase what{
       .law = law, .end = end, .tcol = target.tcol, .en = target.en, .impact = target.impact, .radius_eff = 1};
@@ -207,7 +247,8 @@ std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Ta
 }
 
 std::vector<EngineStep> StepAdvisor::operator()(const AnyLaw& law, ContactEnd end, const Target& target) {
-  const auto [known, fresh] = known_.try_emplace({law.index(), end, target.en});
+  const Held held = held_of(law);
+  const auto [known, fresh] = known_.try_emplace({law.index(), end, target.en, held.alpha, held.stiffening});
   if (fresh) {
     known->second = engine_steps(law, end, target);
     for (EngineStep& s : known->second)

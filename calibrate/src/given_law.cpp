@@ -25,15 +25,6 @@ void confirm(const AnyLaw& law, const Impact& impact, const Collision& known, Co
                                    text(end), support::significant(apart, 2)));
 }
 
-/// What calibration would have to hold to find that law.
-Held held_of(const AnyLaw& law) {
-  Held held;
-  if (const auto* l = std::get_if<FractionalKelvinVoigt>(&law)) held.alpha = l->alpha();
-  if (const auto* l = std::get_if<FractionalHertz>(&law)) held.alpha = l->alpha();
-  if (const auto* l = std::get_if<FractionalZener>(&law)) held = {l->alpha(), l->k1() / l->k()};
-  return held;
-}
-
 std::string what_happened(const Collision& out) {
   if (out.status == CollisionStatus::no_separation) return "the bodies do not part so: too much damping for this end";
   if (out.status == CollisionStatus::permanent_contact)
@@ -43,6 +34,14 @@ std::string what_happened(const Collision& out) {
 }
 
 }  // namespace
+
+Held held_of(const AnyLaw& law) {
+  Held held;
+  if (const auto* l = std::get_if<FractionalKelvinVoigt>(&law)) held.alpha = l->alpha();
+  if (const auto* l = std::get_if<FractionalHertz>(&law)) held.alpha = l->alpha();
+  if (const auto* l = std::get_if<FractionalZener>(&law)) held = {l->alpha(), l->k1() / l->k()};
+  return held;
+}
 
 Outcome answer(const AnyLaw& law, ContactEnd asked, const Impact& impact) {
   const LawKind kind = LawKind::of(law);

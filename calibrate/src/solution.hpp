@@ -33,6 +33,9 @@ std::optional<AnyLaw> brought_to(const AnyLaw& scaled, const Request& request);
 /// does not offer.
 void require_request(const Request& request);
 
+/// What calibration has to hold to find that law; the defaults of a law that holds nothing.
+Held held_of(const AnyLaw& law);
+
 /// The same with the α that its stiffness leaves, where a law has both; or why there is none.
 std::variant<Request, Infeasible> with_degree(const Request& request);
 

@@ -80,7 +80,10 @@ TEST_CASE("steps are advised for the engines that run the law and end it so") {
   using Names = std::vector<std::string>;
   CHECK(engines_of(Linear(7316, 0.098), ContactEnd::overlap) == Names{"liggghts", "lammps", "mercurydpm", "mfix"});
   CHECK(engines_of(Linear(7316, 0.098), ContactEnd::force) == Names{"liggghts", "lammps", "yade"});
-  CHECK(engines_of(Fractional(5225, 0.2964, 0.3197), ContactEnd::force) == Names{"liggghts-ricochet"});
+  for (const AnyLaw& law : {AnyLaw(Fractional(5225, 0.2964, 0.3197)), AnyLaw(FractionalKelvinVoigt(3000, 20, 0.5)),
+                            AnyLaw(FractionalHertz(1e6, 3e3, 0.4)), AnyLaw(FractionalZener(3000, 3e5, 1e-9, 0.5))})
+    CHECK(engines_of(law, ContactEnd::force) == Names{"liggghts-ricochet"});
+  CHECK(engines_of(FractionalKelvinVoigt(3000, 20, 0.5), ContactEnd::overlap).empty());
 }
 
 TEST_CASE("the error of a step is that of the worst place of the touch, as another program steps it") {

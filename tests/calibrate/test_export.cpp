@@ -141,6 +141,30 @@ TEST_CASE("LIGGGHTS: the fractional law goes to the project's own model") {
     CHECK(export_law(engine, with(fractional, ContactEnd::force)).fidelity == Fidelity::absent);
 }
 
+TEST_CASE("LIGGGHTS: the laws of real solids go to the project's own models, by their parameters") {
+  const FractionalKelvinVoigt kelvin_voigt(3000, 20, 0.5);
+  const FractionalHertz hertz(1e6, 3e3, 0.4);
+  const FractionalZener zener(3000, 3e5, 1e-9, 0.5);
+  const auto of = [&](const AnyLaw& law) { return export_law(Engine::liggghts, with(law, ContactEnd::force)); };
+  const auto value = [](const Snippet& snippet, const std::string& name) {
+    return after(snippet, "fractional" + name + " peratomtypepair 1 ");
+  };
+  CHECK(value(of(kelvin_voigt), "K") == 3000);
+  CHECK(value(of(kelvin_voigt), "C") == 20);
+  CHECK(value(of(kelvin_voigt), "Alpha") == 0.5);
+  CHECK(acts_on(of(kelvin_voigt), "pair_style gran model fractional-kelvin-voigt"));
+  CHECK(value(of(zener), "K1") == 3e5);
+  CHECK(value(of(zener), "Tau") == 1e-9);
+  CHECK(acts_on(of(zener), "pair_style gran model fractional-zener"));
+  CHECK(after(of(hertz), "characteristicVelocity scalar ") == with(hertz, ContactEnd::force).impact.velocity);
+  for (const AnyLaw& law : {AnyLaw(kelvin_voigt), AnyLaw(hertz), AnyLaw(zener)}) {
+    CHECK(of(law).fidelity == Fidelity::exact);
+    for (const Engine engine : {Engine::lammps, Engine::yade, Engine::mercurydpm, Engine::mfix})
+      CHECK(export_law(engine, with(law, ContactEnd::force)).fidelity == Fidelity::absent);
+  }
+  CHECK(export_law(Engine::liggghts, with(kelvin_voigt, ContactEnd::overlap)).fidelity == Fidelity::absent);
+}
+
 TEST_CASE("Yade: the force formed from the snippet's numbers as Yade forms it is the law's") {
   const auto viscel = export_law(Engine::yade, with(linear, ContactEnd::force));
   CHECK(0.5 * after(viscel, "kn=") * overlap + 0.5 * after(viscel, "cn=") * rate ==

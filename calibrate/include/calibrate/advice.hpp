@@ -42,10 +42,13 @@ struct StepError {
 inline constexpr double step_bounds[] = {0.01, 0.001};
 
 /// The collision as engines step it, from 5 steps a collision time on until the error stays within the least of
-/// step_bounds for three meshes, a tenth to a quarter finer each, or 20000 steps. The fractional law is carried by
-/// Maxwell arms with a kernel error of 1e-6. Throws std::invalid_argument for `located` and another law or end.
+/// step_bounds for three meshes, a tenth to a quarter finer each, or 20000 steps. Laws that remember all are carried by
+/// Maxwell arms with a kernel error of 1e-6. Throws std::invalid_argument for `located` where it is not `is_located`.
 std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Target& target,
                                    Stepping stepping = Stepping::half_step);
+
+/// Does liggghts-ricochet run it, which locates both ends of a contact? The laws that remember all, ended by force.
+bool is_located(const AnyLaw& law, ContactEnd end);
 
 /// The least steps from which on the error stays within `bound`; nothing if the finest mesh does not suffice.
 std::optional<int> steps_for(const std::vector<StepError>& errors, double bound);
@@ -60,14 +63,15 @@ struct EngineStep {
 /// For every engine that runs this law and ends it so: a row a bound.
 std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Target& target);
 
-/// `engine_steps` of many contacts: t_col over the step depends on the law's kind, the end and e_n alone, so that those
-/// of one e_n are stepped once.
+/// `engine_steps` of many contacts: t_col over the step depends on the law's kind, the end and e_n alone, of a law of
+/// real solids also on its α and k₁/k, so that those of one e_n are stepped once.
 class StepAdvisor {
  public:
   std::vector<EngineStep> operator()(const AnyLaw& law, ContactEnd end, const Target& target);
 
  private:
-  std::map<std::tuple<std::size_t, ContactEnd, double>, std::vector<EngineStep>> known_;  // steps as t_col over them
+  using Key = std::tuple<std::size_t, ContactEnd, double, double, double>;
+  std::map<Key, std::vector<EngineStep>> known_;  // steps as t_col over them
 };
 
 /// π r √(ρ/G)/(0.1631ν + 0.8766) [s]: the time that a Rayleigh wave takes along half a sphere, of which engines' users

@@ -39,7 +39,7 @@ Contact contact_of(const calibration::Snippet& snippet, const calibration::PairC
           .tcol = gives.tcol,
           .law = exact || other_end ? std::optional(pair.law) : std::nullopt,
           .who = who,
-          .fractional = LawKind::of(pair.law) == kind_of<Fractional>};
+          .fractional = calibration::is_located(pair.law, ContactEnd::force)};
 }
 
 /// Two of the spheres alone.
