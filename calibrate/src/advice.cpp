@@ -59,8 +59,7 @@ double stepped_restitution(const Law& law, ContactEnd end, const Impact& impact,
 
 /// The same in liggghts-ricochet, whose contact finds both its ends.
 template <class Contact>
-double located_restitution(const Contact& contact, double coefficient, const Impact& impact, double h, double lead,
-                           int most_steps) {
+double located_restitution(const Contact& contact, const Impact& impact, double h, double lead, int most_steps) {
   std::array<double, liggghts::HalfStepContact::size> history{};
   double overlap = (lead - 1) * h * impact.velocity, rate = impact.velocity, force = 0;
   for (int n = 1; n <= most_steps; ++n) {
@@ -68,7 +67,7 @@ double located_restitution(const Contact& contact, double coefficient, const Imp
     overlap += h * half;
     if (overlap <= 0) return -half / impact.velocity;
     contact.advance(history.data(), n, overlap, half, h);
-    force = coefficient * contact.repulsion(history.data());
+    force = contact.repulsion(history.data());
     if (n > 1 && force <= 0) return -half / impact.velocity;
     rate = half - 0.5 * h * force / impact.mass_eff;
   }
@@ -114,48 +113,45 @@ struct Stepped {
   }
 };
 
-constexpr int located_memory = 1000;  // steps, the engine's own choice
-
-/// liggghts-ricochet's contact under any law that remembers all.
+/// liggghts-ricochet's contact in units of the step: its memory is a number of steps, so that the kernel, which takes
+/// most of the time here, is the same for all of them. With τ = t/h and D_t^α = h^{−α} D_τ^α mζ'' = −R keeps its form
+/// for velocities v h and the law whose parameters are counted in steps, its R multiplied by h².
 template <class Law>
 class Located {
  public:
-  Located(const Law& law, const Target& target) : law_(law), target_(target) {}
+  Located(const Law& law, const Target& target)
+      : law_(law), target_(target), kernel_(affordable_kernel(law.alpha(), {1, memory, 1e-7}, most_arms)) {}
 
   double error(int steps) const {
     const double h = target_.tcol / steps;
-    const liggghts::LocatedContact<Law> contact(law_, h, located_memory * h);
-    return worst_error(target_, [&](double lead) {
-      return located_restitution(contact, 1, target_.impact, h, lead, patience * steps);
-    });
+    const liggghts::LocatedContact<Law> contact(in_steps(h), kernel_, 1);
+    const Impact impact{target_.impact.velocity * h, target_.impact.mass_eff};
+    return worst_error(target_,
+                       [&](double lead) { return located_restitution(contact, impact, 1, lead, patience * steps); });
   }
 
  private:
+  static constexpr int memory = 1000;  // steps, the engine's own choice
+  static constexpr std::size_t most_arms =
+      liggghts::ContactHistory::arm_slots - (MaxwellArms::max_arms - Law::Arms::max_kernel_arms);
+
+  Law in_steps(double h) const {
+    if constexpr (std::same_as<Law, Fractional>) {
+      const double coefficient = law_.coefficient() * std::pow(h, 2 - law_.alpha());
+      return {coefficient, coefficient, law_.alpha()};
+    } else {
+      ParameterValues<Law> values = law_.values();
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const Dimension d = Law::parameters[i].dimension;
+        values[i] *= std::pow(h, -(d.second + d.second_by_alpha * law_.alpha()) / 4);
+      }
+      return Law::from(values);
+    }
+  }
+
   const Law& law_;
   const Target& target_;
-};
-
-/// The fractional law's in units of the step: its memory is a number of steps, so that the kernel, which takes most of
-/// the time here, is the same for all of them. With τ = t/h, D_t^α = h^{−α} D_τ^α, so that mζ'' = −C D^α ζ keeps its
-/// form under the coefficient C h^{2−α} and velocities v h.
-template <>
-class Located<Fractional> {
- public:
-  Located(const Fractional& law, const Target& target)
-      : law_(law), target_(target), contact_(law.alpha(), 1, located_memory) {}
-
-  double error(int steps) const {
-    const double h = target_.tcol / steps, coefficient = law_.coefficient() * std::pow(h, 2 - law_.alpha());
-    const Impact impact{target_.impact.velocity * h, target_.impact.mass_eff};
-    return worst_error(target_, [&](double lead) {
-      return located_restitution(contact_, coefficient, impact, 1, lead, patience * steps);
-    });
-  }
-
- private:
-  const Fractional& law_;
-  const Target& target_;
-  liggghts::HalfStepContact contact_;
+  MemoryKernel kernel_;
 };
 
 /// The error as a function of the steps.

@@ -114,7 +114,9 @@ void AtomicFile::commit() {
 
 OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
   std::error_code error;
-  made_ = std::filesystem::create_directories(path_, error);
+  for (std::filesystem::path at = path_; !at.empty() && !std::filesystem::exists(at, error); at = at.parent_path())
+    made_.push_back(at.string());
+  std::filesystem::create_directories(path_, error);
   if (error) throw BadInput(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
   staging_ = std::make_unique<ScratchFolder>(path_);
 }
@@ -122,7 +124,7 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
 OutputFolder::~OutputFolder() {
   for (const File& file : files_) ::unlink(file.staged.c_str());
   staging_.reset();
-  if (made_) ::rmdir(path_.c_str());
+  for (const std::string& folder : made_) ::rmdir(folder.c_str());
 }
 
 void OutputFolder::add(const std::string& name, std::string_view bytes) {

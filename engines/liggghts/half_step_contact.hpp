@@ -47,6 +47,11 @@ class LocatedContact : public ContactHistory {
   /// std::invalid_argument otherwise, and for a law whose force only fades or that gains energy.
   LocatedContact(const Law& law, double dt, double memory);
 
+  /// With a kernel that was made before, of at most `arm_slots` arms (fractional-zener: one less). Throws
+  /// std::invalid_argument for one of another α.
+  LocatedContact(const Law& law, const MemoryKernel& kernel, double dt)
+      : kernel_error_(kernel.error()), arms_law_(law, kernel, dt) {}
+
   const Law& law() const noexcept { return arms_law_.law(); }
   std::size_t arm_count() const noexcept { return arms_law_.arms(); }
   double kernel_error() const noexcept { return kernel_error_; }
@@ -71,9 +76,6 @@ class LocatedContact : public ContactHistory {
   void go_on(double* history, double now, double dt) const noexcept;
   double step_otherwise(double* history, Approach before, Approach after, double dt) const noexcept;
   typename Arms::Memory memory_of(const double* history) const noexcept;
-
-  LocatedContact(const Law& law, const MemoryKernel& kernel, double dt)
-      : kernel_error_(kernel.error()), arms_law_(law, kernel, dt) {}
 
   double kernel_error_ = 0;
   Arms arms_law_;

@@ -251,6 +251,22 @@ TEST_CASE("what a killed process left is removed by the next one in that folder,
   CHECK(std::filesystem::exists(folder / ".a.txt.1.0.part"));
 }
 
+TEST_CASE("folders that were made for files that never came are gone again, those that were there stay") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "a");
+  {
+    OutputFolder out(folder.path() / "a/b/c");
+    out.add("x.txt", "x");
+    CHECK(std::filesystem::exists(folder.path() / "a/b/c"));
+  }
+  CHECK(std::filesystem::exists(folder.path() / "a"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "a/b"));
+  OutputFolder out(folder.path() / "a/b/c");
+  out.add("x.txt", "x");
+  out.commit();
+  CHECK(read_file(folder / "a/b/c/x.txt") == "x");
+}
+
 TEST_CASE("a folder that somebody holds is no leftover, even where no process has the number in its name") {
   const pid_t gone = ::fork();
   if (gone == 0) ::_exit(0);

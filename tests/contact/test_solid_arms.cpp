@@ -132,6 +132,21 @@ TEST_CASE("the arms of a Hertzian contact follow a parabola of f' exactly, and t
         Approx(0.01 * arms.rate_gain(dt, from + rate * dt)).epsilon(1e-9));
 }
 
+TEST_CASE("a Hertzian contact goes through the engine's step as through one a rounding longer") {
+  const FractionalHertzArms arms({1e6, 2e4, 0.5}, kernel(0.5), step);
+  const double longer = std::nextafter(step, 1.0);
+  FractionalHertzArms::Memory made, computed;
+  for (double t = 0; t < 2e-5; t += step) {
+    arms.advance(made, along(t), along(t + step), step);
+    arms.advance(computed, along(t), along(t + step), longer);
+    const Approach now = along(t + step);
+    CHECK(arms.force(now, made) == Approx(arms.force(now, computed)).epsilon(1e-12));
+    CHECK(arms.mean_force(now.overlap, now.rate, made, step) ==
+          Approx(arms.mean_force(now.overlap, now.rate, made, longer)).epsilon(1e-12));
+  }
+  CHECK(arms.rate_gain(step, 1e-5) == Approx(arms.rate_gain(longer, 1e-5)).epsilon(1e-12));
+}
+
 TEST_CASE("misuse of the laws of real solids is named") {
   CHECK_THROWS_WITH(FractionalKelvinVoigt(0, 1, 0.5), Catch::StartsWith("k = 0"));
   CHECK_THROWS_WITH(FractionalKelvinVoigt(1, 1, 1.5), "alpha = 1.5: must be in [0, 1]");

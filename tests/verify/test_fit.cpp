@@ -44,12 +44,14 @@ TEST_CASE("95 % intervals hold the truth in 95 % of trials, not in all of them")
 }
 
 TEST_CASE("Chow's F is the textbook's where the fit is a mean") {
-  const std::vector<Measurement> part{{0.1, 0.7}, {0.2, 0.72}, {0.3, 0.74}}, all{part[0], part[1], part[2], {0.4, 0.8}};
+  const std::vector<Measurement> part{{0.1, 0.7}, {0.2, 0.72}, {0.3, 0.74}};
+  std::vector<Measurement> all = part;
+  all.insert(all.end(), {{0.4, 0.8}, {0.5, 0.8}});
   const auto fitted = [&](const std::vector<Measurement>& data) {
     return fit_law({kind_of<Linear>, ContactEnd::force, 1e-5}, data);
   };
-  // Sums of squares about 0.72 and 0.74: 0.0008 and 0.0056, of 2 and 3 degrees of freedom.
-  CHECK(chow(fitted(all), fitted(part)) == Approx((0.0056 - 0.0008) / 1 / (0.0008 / 2)).epsilon(1e-6));
+  // Sums of squares about 0.72 and 0.752: 0.0008, of 2 degrees of freedom, and 0.00848.
+  CHECK(chow(fitted(all), fitted(part)) == Approx((0.00848 - 0.0008) / 2 / (0.0008 / 2)).epsilon(1e-6));
   // F of (1, 2) is t² of 2 degrees of freedom, whose two-sided 0.1 % point is 31.599.
   CHECK(plausible_f(1, 2).second == Approx(31.599 * 31.599).epsilon(1e-4));
 }

@@ -62,7 +62,7 @@ class OutputFolder {
   File stage(const std::string& name, const std::string& shown, const std::string& target);
 
   std::string path_;
-  bool made_;  // by us: gone again if nothing comes into it
+  std::vector<std::string> made_;  // by us, the innermost first: gone again if nothing comes into them
   std::unique_ptr<ScratchFolder> staging_;
   std::vector<File> files_;
 };

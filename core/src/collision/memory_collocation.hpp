@@ -21,8 +21,8 @@ struct MemoryEquation {
 /// of P, so that only t = 0 is singular: up to 1e-5 its first two terms are taken, whose error is 1e-15, from there on
 /// panels double, which converges as fast as a power series for every α, and halve where coefficients fall too slowly
 /// (towards the end of a nearly elastic Hertzian contact, where x^{3/2} is about to lose its argument). Knows no
-/// transform and no Mittag-Leffler function. Times in the equation's unit; see `in_units`. evaluations counts the values
-/// of P.
+/// transform and no Mittag-Leffler function. Times in the equation's unit; see `in_units`. evaluations counts the
+/// values of P.
 ///
 /// Error of t_col, e_n and the extremes: 1e-12 + 1e-14/e_n relative (tests/collision); no_separation where it has not
 /// come to an end after 600 panels, or under a load turns inwards again.

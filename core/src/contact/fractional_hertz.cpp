@@ -33,17 +33,25 @@ double power_two_thirds(double f) noexcept {
 
 }  // namespace
 
+FractionalHertzArms::FractionalHertzArms(const FractionalHertz& law, const MemoryKernel& kernel, double step)
+    : MaxwellArms(parts(law, kernel), step), law_(law) {
+  for (std::size_t j = 0; j < arms(); ++j) at_step_[j] = moments_of(relaxation_rate(j) * step);
+}
+
+FractionalHertzArms::Moments FractionalHertzArms::moments_of(double x) noexcept {
+  const auto m = fractional::decay_moments(x);
+  return {m.decay, fractional::decay_mean(x), m.falling, m.falling_once, fourth(x, m.falling_once)};
+}
+
 // ∫ τ^n e^{−x(1−τ)} dτ = ∫ (1−τ)^n e^{−xτ} dτ: φ₁, φ₂ and 2φ₃ of decay_moments.hpp.
 void FractionalHertzArms::advance(Memory& m, Approach before, Approach after, double dt) const noexcept {
   if (!(dt > 0)) return;
   const Approach from = stretched(before), to = stretched(after);
   const Parabola rate(from.rate, to.rate, (to.overlap - from.overlap) / dt);
   for (std::size_t j = 0; j < arms(); ++j) {
-    const double x = relaxation_rate(j) * dt;
-    const auto moments = fractional::decay_moments(x);
-    m.elongation[j] =
-        moments.decay * m.elongation[j] + dt * (rate.first * fractional::decay_mean(x) + rate.linear * moments.falling +
-                                                2 * rate.square * moments.falling_once);
+    const Moments of = moments(j, dt);
+    m.elongation[j] = of.decay * m.elongation[j] +
+                      dt * (rate.first * of.mean + rate.linear * of.falling + 2 * rate.square * of.falling_once);
   }
 }
 
@@ -51,8 +59,8 @@ void FractionalHertzArms::advance(Memory& m, Approach before, Approach after, do
 double FractionalHertzArms::rate_gain(double dt, double overlap) const noexcept {
   double gain = dashpot();
   for (std::size_t j = 0; j < arms(); ++j) {
-    const auto moments = fractional::decay_moments(relaxation_rate(j) * dt);
-    gain += stiffness(j) * dt * (6 * moments.falling_once - 2 * moments.falling);
+    const Moments of = moments(j, dt);
+    gain += stiffness(j) * dt * (6 * of.falling_once - 2 * of.falling);
   }
   return gain * stretched({overlap, 1}).rate;
 }
@@ -88,11 +96,10 @@ double FractionalHertzArms::mean_force(double overlap, double rate, const Memory
   const Parabola stretching(from.rate, to.rate, mean);
   double sum = spring() * f + dashpot() * mean;
   for (std::size_t j = 0; j < arms(); ++j) {
-    const double x = relaxation_rate(j) * dt;
-    const auto moments = fractional::decay_moments(x);
-    const double q = stretching.first * moments.falling + stretching.linear * moments.falling_once +
-                     2 * stretching.square * fourth(x, moments.falling_once);
-    sum += stiffness(j) * (fractional::decay_mean(x) * m.elongation[j] + dt * q);
+    const Moments of = moments(j, dt);
+    const double q =
+        stretching.first * of.falling + stretching.linear * of.falling_once + 2 * stretching.square * of.fourth;
+    sum += stiffness(j) * (of.mean * m.elongation[j] + dt * q);
   }
   return sum;
 }

@@ -64,8 +64,7 @@ class FractionalHertzArms : public MaxwellArms {
   static constexpr std::string_view name = FractionalHertz::name;
 
   /// As FractionalArms.
-  FractionalHertzArms(const FractionalHertz& law, const MemoryKernel& kernel, double step)
-      : MaxwellArms(parts(law, kernel), step), law_(law) {}
+  FractionalHertzArms(const FractionalHertz& law, const MemoryKernel& kernel, double step);
 
   const FractionalHertz& law() const noexcept { return law_; }
   bool force_fades() const noexcept { return law_.force_fades(); }
@@ -93,7 +92,17 @@ class FractionalHertzArms : public MaxwellArms {
     return all;
   }
 
+  /// What an arm makes of a parabola of f' over a step: the exponential and φ₁ … φ₄ of rate·dt.
+  struct Moments {
+    double decay, mean, falling, falling_once, fourth;
+  };
+  static Moments moments_of(double x) noexcept;
+  Moments moments(std::size_t arm, double dt) const noexcept {
+    return dt == step() ? at_step_[arm] : moments_of(relaxation_rate(arm) * dt);
+  }
+
   FractionalHertz law_;
+  std::array<Moments, max_arms> at_step_{};  // they cost more than all else that an arm does
 };
 
 }  // namespace ricochet
