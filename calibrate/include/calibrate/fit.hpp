@@ -61,7 +61,7 @@ struct Fit {
   bool errors_known = false;     ///< false: σ was taken from the scatter about the fit
   /// χ² + 2p where σ is known; n ln(χ²/n) + 2(p + 1) where it is not (constants left out). Less is better.
   double aic = 0;
-  /// The AIC for few data: 2q(q + 1)/(n − q − 1) more, q the number of all that was estimated, σ with it where it is not
+  /// The AIC for few data: 2q(q + 1)/(n − q − 1) more, q the number of all that was estimated, with σ where it is not
   /// known (Hurvich and Tsai, Biometrika 76, 297 (1989)). Nothing where n ≤ q + 1.
   std::optional<double> aicc = {};
   double probability = 0;                  ///< of a χ² as large by chance, where σ is known; else 1

@@ -30,7 +30,7 @@ struct Bounce {
 ///   e_n^N = 1 − N(T̄ − T̄')/(t' − t),   v = g(T + T'/e_n)/4,
 ///
 /// v the middle one of the impacts from t on and before t'. Of two single flights, one after the other, that is
-/// e_n = T'/T and v = gT/2. It is exact where e_n is the same from t to t'; else it is the e_n of a speed between, which
+/// e_n = T'/T and v = gT/2. It is exact where e_n is the same from t to t'; else it is that of a speed between, which
 /// v is to second order in what the speed falls. The error of e_n is that of independent errors of the runs' ends, to
 /// first order.
 ///
