@@ -157,15 +157,6 @@ TEST_CASE("the report is one page that loads nothing, with what failed before wh
   CHECK(json["studies"][1]["error"] == "x broke");
 }
 
-TEST_CASE("JUnit tells what was skipped from what passed and failed") {
-  StudyResult result;
-  result.gates = {at_most("small", 0.5, 1), at_most("large", 2, 1)};
-  result.skipped = {"an engine"};
-  const std::string suite = junit_suite("toy", result);
-  CHECK(suite.find("tests=\"3\" failures=\"1\" skipped=\"1\"") != std::string::npos);
-  CHECK(suite.find("name=\"an engine\"><skipped/></testcase>") != std::string::npos);
-}
-
 TEST_CASE("how much of its room a gate's value takes") {
   CHECK(room_taken(at_most("", 1, 4)) == 0.25);
   CHECK(room_taken(at_least("", 4, 1)) == 0.25);

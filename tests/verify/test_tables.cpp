@@ -114,15 +114,18 @@ TEST_CASE("what a user asks for is what is measured, and a wrong word is refused
   CHECK_THROWS_AS(selected({"--steps", "3,20,30"}), CLI::ValidationError);
 }
 
-TEST_CASE("JUnit has a test case a gate and a failure that says the bound") {
-  const std::string suite = junit_suite(
-      "toy", {at_most("calm <b> & \"c\"", 0.5, 1), at_most("high", 2, 1), at_most("none", std::nan(""), 1)});
+TEST_CASE("JUnit has a test case a gate, a failure that says the bound, and what was skipped") {
+  StudyResult result;
+  result.gates = {at_most("calm <b> & \"c\"", 0.5, 1), at_most("high", 2, 1), at_most("none", std::nan(""), 1)};
+  result.skipped = {"an engine"};
+  const std::string suite = junit_suite("toy", result);
   CHECK(suite ==
-        "  <testsuite name=\"toy\" tests=\"3\" failures=\"2\">\n"
+        "  <testsuite name=\"toy\" tests=\"4\" failures=\"2\" skipped=\"1\">\n"
         "    <testcase classname=\"verify.toy\" name=\"calm &lt;b&gt; &amp; &quot;c&quot;\"/>\n"
         "    <testcase classname=\"verify.toy\" name=\"high\"><failure message=\"2: must be &lt;= 1\"/></testcase>\n"
         "    <testcase classname=\"verify.toy\" name=\"none\"><failure message=\"not finite: must be &lt;= "
         "1\"/></testcase>\n"
+        "    <testcase classname=\"verify.toy\" name=\"an engine\"><skipped/></testcase>\n"
         "  </testsuite>\n");
   CHECK(junit_document(suite).starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite "));
 }
