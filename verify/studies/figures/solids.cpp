@@ -123,7 +123,7 @@ console::Figure solids_figure() {
                                                               .columns = 2,
                                                               .left = 0.08,
                                                               .right = 0.98,
-                                                              .bottom = 0.14,
+                                                              .bottom = 0.2,
                                                               .top = 0.9,
                                                               .between_columns = 0.1}}),
       .data = {{by_speed, speeds()}, {by_degree, degrees()}},
