@@ -28,7 +28,7 @@ for name in ("linear", "kuwabara-kono"):
 
 # --- The memory of the fractional law, for an engine of your own ---------------------------------------------------
 kernel = ricochet.memory_kernel(law.alpha, shortest=1e-6, longest=1e-3, tolerance=1e-6)
-print(f"memory: {len(kernel.rates)} Maxwell arms keep t^-{law.alpha:.3f} to {kernel.error:.1e}")
+print(f"memory: {len(kernel.rates)} Maxwell arms keep the kernel of D^{law.alpha:.3f} to {kernel.error:.1e}")
 
 # --- Many grains ---------------------------------------------------------------------------------------------------
 contact = ricochet.Interaction(

@@ -231,6 +231,7 @@ class Cluster:
         if step is None:
             step = _core.stiffest_contact(*bodies, *around) / 40
         self.step = step  #: [s]
+        self._never_pulls = all(how.end == "force" for _, how in pairs)
         self._engine = _core.Cluster(*bodies, *around, np.asarray(period, float), step, threads, solver_tolerance)
 
     def advance(self, steps: int) -> None:
@@ -277,8 +278,14 @@ class Cluster:
 
     @property
     def contacts(self) -> Mapping[str, NDArray[Any]]:
-        """Those there are: "pairs" (walls count from the number of spheres), "overlap" [m], "force" [N]."""
-        return self._engine.contacts
+        """Those there are: "pairs" (walls count from the number of spheres), "overlap" [m], "force" [N] of repulsion.
+
+        Where some contact ends by overlap the force is the law's own, negative where it would pull.
+        """
+        found = dict(self._engine.contacts)
+        if self._never_pulls:
+            found["force"] = np.maximum(found["force"], 0.0)
+        return found
 
     def take_finished(self) -> Sequence[Mapping[str, Any]]:
         """Collisions that ended since the last call: i, j, begin, end, separation [s], how."""

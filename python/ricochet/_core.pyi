@@ -211,6 +211,7 @@ def box_walls(low: ArrayLike, high: ArrayLike, material: int = ...) -> Sequence[
 
 class Interaction:
     def __init__(self, law: Law, tangential: TangentialContact = ..., end: str = ...) -> None: ...
+    end: str
 
 # Flat arrays; the package shapes what goes in and comes out.
 class DirectCalibrator:

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 inline std::span<const double> view(const Array& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+/// Throws std::invalid_argument unless all columns are as long as the first.
+template <class... Columns>
+void require_one_length(const Array& first, const Columns&... others) {
+  if (((others.size() != first.size()) || ...)) throw std::invalid_argument("columns of different lengths");
 }
 
 /// One number for each of `count` cases, in an array of NumPy's.

@@ -72,6 +72,7 @@ py::dict calibrate_all(const DirectCalibrator& calibrator, const std::string& la
                        const Array& stiffness, double alpha, double stiffening, bool skip) {
   const LawKind kind = kind_named(law);
   const ContactEnd ends = end_of(end);
+  require_one_length(tcol, en, velocity, mass_eff, stiffness);
   const Targets targets{view(tcol), view(en), view(velocity), view(mass_eff), view(stiffness), {alpha, stiffening}};
   Solved solved(kind, targets.en.size());
   {
@@ -84,6 +85,8 @@ py::dict calibrate_all(const DirectCalibrator& calibrator, const std::string& la
 /// A column that was not measured is empty.
 std::vector<Measurement> measurements(const Array& velocity, const Array& en, const Array& en_sigma, const Array& tcol,
                                       const Array& tcol_sigma) {
+  for (const Array* column : {&en, &en_sigma, &tcol, &tcol_sigma})
+    if (column == &en || column->size() > 0) require_one_length(velocity, *column);
   const auto v = view(velocity), e = view(en), s = view(en_sigma), t = view(tcol), ts = view(tcol_sigma);
   const auto at = [](std::span<const double> column, std::size_t i) { return column.empty() ? 0.0 : column[i]; };
   std::vector<Measurement> rows;

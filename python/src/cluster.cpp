@@ -2,6 +2,7 @@
 
 #include <ricochet/motion/cluster.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -52,7 +53,9 @@ void bind_interaction(py::module_& m) {
                                 .torsion = tangential.torsion,
                                 .rolling = tangential.rolling};
            }),
-           py::arg("law"), py::arg("tangential") = TangentialContact{}, py::arg("end") = "force");
+           py::arg("law"), py::arg("tangential") = TangentialContact{}, py::arg("end") = "force")
+      .def_property_readonly("end",
+                             [](const Interaction& i) { return i.end == ContactEnd::force ? "force" : "overlap"; });
 }
 
 /// Rows of equal number, one a sphere.
@@ -133,9 +136,18 @@ py::list finished(Cluster& cluster) {
   return out;
 }
 
+/// By portions, between which Ctrl-C is heard.
 void advance(Cluster& cluster, std::uint64_t steps) {
-  const py::gil_scoped_release others_go_on;
-  if (!cluster.advance(steps)) throw std::runtime_error("a position or velocity is not finite: the step is too large");
+  constexpr std::uint64_t portion = 256;
+  for (std::uint64_t left = steps; left > 0; left -= std::min(left, portion)) {
+    bool finite = false;
+    {
+      const py::gil_scoped_release others_go_on;
+      finite = cluster.advance(std::min(left, portion));
+    }
+    if (!finite) throw std::runtime_error("a position or velocity is not finite: the step is too large");
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ py::dict collide_all(const py::object& object, const Array& velocity, const Arra
                      const std::string& method) {
   const AnyLaw law = law_of(object);
   const CollideOptions options{.end = end_of(end), .method = method_of(method)};
+  require_one_length(velocity, mass_eff);
   const auto v = view(velocity), m = view(mass_eff);
   std::vector<Collision> all;
   all.reserve(v.size());

@@ -31,6 +31,14 @@ std::string described(const LawKind& kind) {
   return out + ".";
 }
 
+double number(const std::string& name, const py::handle& value) {
+  try {
+    return value.cast<double>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(name + " = " + py::repr(value).cast<std::string>() + ": must be a number");
+  }
+}
+
 /// The values of a law's parameters as a call gave them, by place or by name.
 std::vector<double> values_of(const LawKind& kind, const py::args& args, const py::kwargs& kwargs) {
   const auto parameters = kind.parameters();
@@ -38,11 +46,11 @@ std::vector<double> values_of(const LawKind& kind, const py::args& args, const p
     throw std::invalid_argument(std::to_string(args.size() + kwargs.size()) + " parameters: " + described(kind));
   std::vector<double> values;
   values.reserve(parameters.size());
-  for (const auto& arg : args) values.push_back(arg.cast<double>());
+  for (const auto& arg : args) values.push_back(number(std::string(parameters[values.size()].name), arg));
   for (std::size_t i = values.size(); i < parameters.size(); ++i) {
     const std::string name(parameters[i].name);
     if (!kwargs.contains(name)) throw std::invalid_argument("no " + name + ": " + described(kind));
-    values.push_back(kwargs[name.c_str()].cast<double>());
+    values.push_back(number(name, kwargs[name.c_str()]));
   }
   return values;
 }

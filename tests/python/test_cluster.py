@@ -77,6 +77,15 @@ def test_a_sphere_in_a_box_stays_there_and_threads_change_no_bit():
     assert (ends[0] > -2e-3).all() and (ends[0] < 9e-3).all()
 
 
+def test_no_contact_pulls_that_ends_by_force():
+    cluster = pair(ricochet.calibrate("linear", 1e-4, 0.5), step=1e-6)
+    least = []
+    for _ in range(600):
+        cluster.advance(1)
+        least += cluster.contacts["force"].tolist()
+    assert len(least) > 50 and min(least) == 0
+
+
 def test_wrong_setups_are_named():
     with pytest.raises(ValueError, match=r"positions of shape \(3,\): must be \(n, 3\)"):
         ricochet.Cluster([0, 0, 0], 1e-3, 1000, ricochet.Interaction(ricochet.Linear(1, 0)))
