@@ -257,3 +257,16 @@ TEST_CASE(
   CHECK(confirmed(1.03e-9, 1e-9, 1.02e-9) == Confirmation::missed);
   CHECK(confirmed(std::nan(""), 1e-9, 1) == Confirmation::missed);
 }
+
+TEST_CASE("a stiffness of Kelvin and Voigt's law leaves its degree to the collision") {
+  Request request{.law = kind_of<FractionalKelvinVoigt>, .target = {1e-4, 0.5, table_two}};
+  request.stiffness = 3000;
+  for (const Method method : {Method::nlopt, Method::direct}) {
+    const auto found = std::get<Calibration>(calibrate(request, {.method = method}));
+    const auto law = std::get<FractionalKelvinVoigt>(found.law);
+    CHECK(law.k() == Approx(3000).epsilon(1e-9));
+    const Collision does = collide(law, table_two);
+    CHECK(does.tcol == Approx(1e-4).epsilon(1e-9));
+    CHECK(does.en == Approx(0.5).epsilon(1e-9));
+  }
+}
