@@ -42,6 +42,12 @@ Array filled(std::size_t count, const F& value) {
   return out;
 }
 
+/// One member of each of these.
+template <class T>
+Array column_of(const std::vector<T>& all, double T::*member) {
+  return filled(all.size(), [&](std::size_t i) { return all[i].*member; });
+}
+
 /// "force" or "overlap". Throws std::invalid_argument for another word.
 ContactEnd end_of(const std::string& word);
 

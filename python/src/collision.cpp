@@ -8,19 +8,6 @@
 namespace ricochet::python {
 namespace {
 
-std::string text(CollisionStatus status) {
-  switch (status) {
-    case CollisionStatus::ended_by_force: return "ended_by_force";
-    case CollisionStatus::ended_by_overlap: return "ended_by_overlap";
-    case CollisionStatus::permanent_contact: return "permanent_contact";
-    case CollisionStatus::breakage: return "breakage";
-    case CollisionStatus::no_separation: return "no_separation";
-    case CollisionStatus::budget_spent: return "budget_spent";
-    case CollisionStatus::out_of_range: break;
-  }
-  return "out_of_range";
-}
-
 CollideMethod method_of(const std::string& word) {
   if (word == "automatic") return CollideMethod::automatic;
   if (word == "closed_form") return CollideMethod::closed_form;
@@ -43,11 +30,9 @@ py::dict collide_all(const py::object& object, const Array& velocity, const Arra
   }
   py::dict columns;
   py::list status;
-  for (const Collision& c : all) status.append(text(c.status));
+  for (const Collision& c : all) status.append(text_of(c.status));
   columns["status"] = status;
-  const auto column = [&](const char* name, double Collision::*of) {
-    columns[name] = filled(all.size(), [&](std::size_t i) { return all[i].*of; });
-  };
+  const auto column = [&](const char* name, double Collision::*of) { columns[name] = column_of(all, of); };
   column("tcol", &Collision::tcol);
   column("en", &Collision::en);
   column("max_overlap", &Collision::max_overlap);
@@ -60,7 +45,18 @@ py::dict collide_all(const py::object& object, const Array& velocity, const Arra
 
 }  // namespace
 
-std::string text_of(CollisionStatus status) { return text(status); }
+std::string text_of(CollisionStatus status) {
+  switch (status) {
+    case CollisionStatus::ended_by_force: return "ended_by_force";
+    case CollisionStatus::ended_by_overlap: return "ended_by_overlap";
+    case CollisionStatus::permanent_contact: return "permanent_contact";
+    case CollisionStatus::breakage: return "breakage";
+    case CollisionStatus::no_separation: return "no_separation";
+    case CollisionStatus::budget_spent: return "budget_spent";
+    case CollisionStatus::out_of_range: break;
+  }
+  return "out_of_range";
+}
 
 ContactEnd end_of(const std::string& word) {
   if (word == "force") return ContactEnd::force;

@@ -17,9 +17,7 @@ py::dict contacts(const Array& alphas, const std::string& word) {
   found.reserve(static_cast<std::size_t>(alphas.size()));
   for (const double alpha : view(alphas)) found.push_back(fractional_contact(alpha, end));
   py::dict columns;
-  const auto column = [&](const char* name, double FractionalContact::*of) {
-    columns[name] = filled(found.size(), [&](std::size_t i) { return found[i].*of; });
-  };
+  const auto column = [&](const char* name, double FractionalContact::*of) { columns[name] = column_of(found, of); };
   column("alpha", &FractionalContact::alpha);
   column("z_star", &FractionalContact::z_star);
   column("tau", &FractionalContact::tau);
