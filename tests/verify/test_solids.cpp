@@ -1,3 +1,5 @@
+#include "parsed_selection.hpp"
+
 #include "../../verify/studies/figures/solids.hpp"
 #include "../../verify/studies/orders/solids.hpp"
 
@@ -13,21 +15,8 @@
 using namespace ricochet;
 using namespace ricochet::verify;
 
-namespace {
-
-Selection selected(std::vector<std::string> arguments) {
-  CLI::App app;
-  Selection wanted;
-  wanted.add_options(app);
-  std::reverse(arguments.begin(), arguments.end());
-  app.parse(arguments);
-  return wanted;
-}
-
-}  // namespace
-
 TEST_CASE("the laws of real solids are what they are said to be, in a second way and in a column") {
-  const auto all = measure_solids(selected({"--alpha", "0.75", "--steps", "64,128,256,512,1024"}));
+  const auto all = measure_solids(parsed_selection({"--alpha", "0.75", "--steps", "64,128,256,512,1024"}));
   std::vector<std::string> schemes;
   for (const Convergence& c : all) {
     CAPTURE(c.statement.scheme, c.statement.function, c.errors);
@@ -41,9 +30,9 @@ TEST_CASE("the laws of real solids are what they are said to be, in a second way
 }
 
 TEST_CASE("a degree that no series takes has its other ways, and a column its fewest steps") {
-  const auto all = measure_solids(selected({"--alpha", "0.333", "--scheme", "fractional-zener by series"}));
+  const auto all = measure_solids(parsed_selection({"--alpha", "0.333", "--scheme", "fractional-zener by series"}));
   CHECK(all.empty());
-  CHECK_THROWS_AS(measure_solids(selected({"--scheme", "fractional-zener in a column", "--steps", "8,16,32"})),
+  CHECK_THROWS_AS(measure_solids(parsed_selection({"--scheme", "fractional-zener in a column", "--steps", "8,16,32"})),
                   console::BadInput);
 }
 

@@ -1,3 +1,5 @@
+#include "parsed_selection.hpp"
+
 #include "../../verify/studies/convergence_figures.hpp"
 #include "../../verify/studies/convergence_tables.hpp"
 #include "../../verify/studies/selection.hpp"
@@ -35,11 +37,7 @@ std::vector<Convergence> two_schemes() {
 }
 
 Selection selected(std::vector<std::string> arguments) {
-  CLI::App app;
-  Selection wanted;
-  wanted.add_options(app);
-  std::reverse(arguments.begin(), arguments.end());
-  app.parse(arguments);
+  Selection wanted = parsed_selection(std::move(arguments));
   wanted.check({"A", "B, fine"}, {"t", "t^2"});
   return wanted;
 }
