@@ -2,6 +2,8 @@
 
 #include "liggghts_headers.hpp"
 
+#include <run_advice.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,38 +20,32 @@ void ModelWatch::begin_run(int types) {
 void ModelWatch::check_step(int at, double mass_eff, double tcol, bool on_all_ranks) {
   lightest_[at] = mass_eff;
   const double dt = lmp_->update->dt, steps = tcol / dt;
-  if (steps < least_steps) {
-    const std::string text = fmt::format(
-        "{}: timestep = {:.6g}: must be at most 1/{} of the shortest collision time, {:.6g} (1/{} is advised)", model_,
-        dt, least_steps, tcol, advised_steps);
+  if (steps < half_step::least_steps) {
+    const std::string text = fmt::format("{}: {}", model_, half_step::too_coarse(dt, tcol));
     if (on_all_ranks) lmp_->error->all(FLERR, text.c_str());
     lmp_->error->one(FLERR, text.c_str());
   }
-  if (steps >= advised_steps || coarse_said_) return;
+  if (steps >= half_step::advised_steps || coarse_said_) return;
   coarse_said_ = true;
   if (on_all_ranks && lmp_->comm->me != 0) return;
-  warn(fmt::format("timestep = {:.6g} leaves {:.3g} steps to the shortest collision time, {:.6g}; {} are advised", dt,
-                   steps, tcol, advised_steps));
+  warn(half_step::coarse(dt, tcol));
 }
 
 void ModelWatch::check_overlap(const LIGGGHTS::ContactModels::SurfacesIntersectData& pair) {
   const double radius = pair.is_wall ? pair.radi : std::min(pair.radi, pair.radj);
-  if (soft_said_ || !(pair.deltan > soft_overlap * radius)) return;
+  if (soft_said_ || !(pair.deltan > half_step::soft_overlap * radius)) return;
   soft_said_ = true;
-  warn(
-      fmt::format("an overlap of {:.3g} % of the smaller radius: the contact is too soft for this load (of one "
-                  "collisionTime the stiffness falls with the mass: small grains need a shorter one)",
-                  100 * pair.deltan / radius));
+  warn(half_step::too_soft(pair.deltan / radius, "collisionTime"));
 }
 
 // Later on it may be that of grains that have been apart.
 void ModelWatch::say_forgotten() {
   was_reset_ = false;
   if (lmp_->update->ntimestep != lmp_->update->firststep) return;
-  warn("reset_timestep while grains touch: their contacts have lost their memory and start anew");
+  warn(half_step::forgotten);
 }
 
-void ModelWatch::warn(const std::string& text) const {
+void ModelWatch::warn(std::string_view text) const {
   lmp_->error->warning(FLERR, fmt::format("{}: {}", model_, text).c_str());
 }
 

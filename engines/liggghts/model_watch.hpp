@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -19,11 +20,6 @@ namespace ricochet::liggghts {
 /// their loads, contacts that lost their memory. Each warning once a run.
 class ModelWatch {
  public:
-  /// Collision times over time steps: fewer than the first are warned of, than the second refused.
-  static constexpr double advised_steps = 20, least_steps = 4;
-  /// Overlaps of more than this part of the smaller radius are warned of.
-  static constexpr double soft_overlap = 0.1;
-
   ModelWatch(LAMMPS_NS::LAMMPS* lmp, std::string model) : lmp_(lmp), model_(std::move(model)) {}
 
   /// Before a run of grains of so many types (0 … types − 1).
@@ -42,7 +38,7 @@ class ModelWatch {
 
  private:
   void say_forgotten();
-  void warn(const std::string& text) const;
+  void warn(std::string_view text) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   std::string model_;

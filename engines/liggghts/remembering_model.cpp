@@ -2,6 +2,7 @@
 #include "remembering_model.hpp"
 
 #include <fmt/format.h>
+#include <run_advice.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -12,9 +13,6 @@ namespace ricochet::liggghts {
 using namespace LIGGGHTS;
 
 namespace {
-
-// A contact that lasts longer than this many steps is carried on by the kernel's spring, unless memoryTime says more.
-constexpr double default_memory_steps = 1e3;
 
 constexpr half_step::TargetNames target_names{"collisionTime", "coefficientRestitution", "fractionalAlpha"};
 
@@ -175,8 +173,8 @@ void RememberingModel<Law>::read_properties() {
   if (kernel_step_ == 0)
     kernel_step_ = update->dt;
   else if (kernel_step_ != update->dt && comm->me == 0)
-    error->warning(FLERR, (who + " keeps the memory kernel chosen for the first run's time step").c_str());
-  const double memory = memory_time_ > 0 ? memory_time_ : default_memory_steps * kernel_step_;
+    error->warning(FLERR, fmt::format("{} {}", who, half_step::kept_kernel).c_str());
+  const double memory = memory_time_ > 0 ? memory_time_ : half_step::default_memory_steps * kernel_step_;
   const auto contact_for = [&](const Law& law) -> const LocatedContact<Law>& {
     return contacts_.try_emplace({law.values(), memory}, law, kernel_step_, memory).first->second;
   };

@@ -1,0 +1,56 @@
+/* ----------------------------------------------------------------------
+   compute fractional/energy, of Ricochet.
+   SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "compute_fractional_energy.h"
+
+#include "error.h"
+#include "run_state.hpp"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+using ricochet::lammps::run_state;
+
+/* ---------------------------------------------------------------------- */
+
+ComputeFractionalEnergy::ComputeFractionalEnergy(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg)
+{
+  if (narg != 3) error->all(FLERR, "compute fractional/energy takes no arguments beyond ID and group");
+  vector_flag = 1;
+  size_vector = 2;
+  extvector = 1;
+  vector = new double[size_vector]{};
+  auto &run = run_state(lmp);
+  run.energy_wanted = true;
+  run.dissipated = 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+ComputeFractionalEnergy::~ComputeFractionalEnergy()
+{
+  run_state(lmp).energy_wanted = false;
+  delete[] vector;
+}
+
+/* ----------------------------------------------------------------------
+   Before the forces that set a run up, which are of the step that the last
+   run ended with.
+------------------------------------------------------------------------- */
+
+void ComputeFractionalEnergy::init()
+{
+  run_state(lmp).stored_at = -1;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void ComputeFractionalEnergy::compute_vector()
+{
+  invoked_vector = update->ntimestep;
+  const auto &run = run_state(lmp);
+  const double here[2] = {run.stored_at == update->ntimestep ? run.stored : 0.0, run.dissipated};
+  MPI_Allreduce(here, vector, size_vector, MPI_DOUBLE, MPI_SUM, world);
+}
