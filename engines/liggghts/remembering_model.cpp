@@ -2,7 +2,6 @@
 #include "remembering_model.hpp"
 
 #include <fmt/format.h>
-#include <run_advice.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -173,7 +172,7 @@ void RememberingModel<Law>::read_properties() {
   if (kernel_step_ == 0)
     kernel_step_ = update->dt;
   else if (kernel_step_ != update->dt && comm->me == 0)
-    error->warning(FLERR, fmt::format("{} {}", who, half_step::kept_kernel).c_str());
+    error->warning(FLERR, (who + " keeps the memory kernel chosen for the first run's time step").c_str());
   const double memory = memory_time_ > 0 ? memory_time_ : half_step::default_memory_steps * kernel_step_;
   const auto contact_for = [&](const Law& law) -> const LocatedContact<Law>& {
     return contacts_.try_emplace({law.values(), memory}, law, kernel_step_, memory).first->second;

@@ -6,32 +6,30 @@
 #include "compute_fractional_energy.h"
 
 #include "error.h"
-#include "run_state.hpp"
+#include "energy_tally.hpp"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 
-using ricochet::lammps::run_state;
+using ricochet::lammps::energy_tally;
 
 /* ---------------------------------------------------------------------- */
 
-ComputeFractionalEnergy::ComputeFractionalEnergy(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg)
-{
+ComputeFractionalEnergy::ComputeFractionalEnergy(LAMMPS* lmp, int narg, char** arg) : Compute(lmp, narg, arg) {
   if (narg != 3) error->all(FLERR, "compute fractional/energy takes no arguments beyond ID and group");
   vector_flag = 1;
   size_vector = 2;
   extvector = 1;
   vector = new double[size_vector]{};
-  auto &run = run_state(lmp);
-  run.energy_wanted = true;
-  run.dissipated = 0;
+  auto& tally = energy_tally(lmp);
+  tally.wanted = true;
+  tally.dissipated = 0;
 }
 
 /* ---------------------------------------------------------------------- */
 
-ComputeFractionalEnergy::~ComputeFractionalEnergy()
-{
-  run_state(lmp).energy_wanted = false;
+ComputeFractionalEnergy::~ComputeFractionalEnergy() {
+  energy_tally(lmp).wanted = false;
   delete[] vector;
 }
 
@@ -40,17 +38,13 @@ ComputeFractionalEnergy::~ComputeFractionalEnergy()
    run ended with.
 ------------------------------------------------------------------------- */
 
-void ComputeFractionalEnergy::init()
-{
-  run_state(lmp).stored_at = -1;
-}
+void ComputeFractionalEnergy::init() { energy_tally(lmp).stored_at = -1; }
 
 /* ---------------------------------------------------------------------- */
 
-void ComputeFractionalEnergy::compute_vector()
-{
+void ComputeFractionalEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
-  const auto &run = run_state(lmp);
-  const double here[2] = {run.stored_at == update->ntimestep ? run.stored : 0.0, run.dissipated};
+  const auto& tally = energy_tally(lmp);
+  const double here[2] = {tally.stored_at == update->ntimestep ? tally.stored : 0.0, tally.dissipated};
   MPI_Allreduce(here, vector, size_vector, MPI_DOUBLE, MPI_SUM, world);
 }

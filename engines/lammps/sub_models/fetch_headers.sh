@@ -22,8 +22,8 @@ cd "$work"
 # Lists of its own: those of the system stay as they are, and need no line for sources.
 mkdir lists
 echo "deb-src ${RICOCHET_MIRROR:-http://deb.debian.org/debian} $release main" >sources.list
-apt=(apt-get -q -o Dir::Etc::SourceList="$work/sources.list" -o Dir::Etc::SourceParts=- -o Dir::State::Lists="$work/lists"
-  -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= -o APT::Sandbox::User=)
+apt=(apt-get -q -o Dir::Etc::SourceList="$work/sources.list" -o Dir::Etc::SourceParts=-
+  -o Dir::State::Lists="$work/lists" -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= -o APT::Sandbox::User=)
 "${apt[@]}" update >log 2>&1 && "${apt[@]}" source --tar-only --download-only "lammps=$version" >>log 2>&1 ||
   { tail -n 5 log >&2; fail "no source package lammps $version of $release"; }
 tar -xf lammps_*.orig.tar.* --strip-components=2 --wildcards --no-anchored \

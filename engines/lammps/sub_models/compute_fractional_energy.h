@@ -21,13 +21,13 @@ namespace LAMMPS_NS {
 // the same, see docs/lammps.md.
 class ComputeFractionalEnergy : public Compute {
  public:
-  ComputeFractionalEnergy(class LAMMPS *, int, char **);
+  ComputeFractionalEnergy(class LAMMPS*, int, char**);
   ~ComputeFractionalEnergy() override;
   void init() override;
   void compute_vector() override;
 };
 
-}    // namespace LAMMPS_NS
+}  // namespace LAMMPS_NS
 
 #endif
 #endif
