@@ -60,8 +60,8 @@ TEST_CASE("a grain on a plane reaches its collision time and restitution") { che
 TEST_CASE("k with c and α gives the collision that `collide` finds") {
   const Box box{{-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}};
   const ricochet::Fractional law(5225, 0.297, 0.3197);
-  const Grain a{.position = {-1.6e-3, 0, 0}, .velocity = {0.25, 0, 0}}, b{.position = {1.6e-3, 0, 0},
-                                                                           .velocity = {-0.25, 0, 0}};
+  const Grain a{.position = {-1.6e-3, 0, 0}, .velocity = {0.25, 0, 0}},
+      b{.position = {1.6e-3, 0, 0}, .velocity = {-0.25, 0, 0}};
   const ricochet::Collision exact = collide(law, {0.5, a.mass() / 2}, {});
   std::vector<double> errors;
   for (int steps : {50, 100, 200}) {

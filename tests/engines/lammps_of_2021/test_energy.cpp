@@ -39,8 +39,9 @@ std::string box_walls() {
 }
 
 std::string sums() {
-  std::string text = "compute pairs all pair fractional\nvariable mgz atom mass*9.81*z\ncompute heights all reduce sum "
-                     "v_mgz\ncompute kinetic all ke\n";
+  std::string text =
+      "compute pairs all pair fractional\nvariable mgz atom mass*9.81*z\ncompute heights all reduce sum "
+      "v_mgz\ncompute kinetic all ke\n";
   for (const char* n : {"1", "2"})
     text += std::string("variable e") + n + " equal c_pairs[" + n + "]+f_wall_xplane[" + n + "]+f_wall_yplane[" + n +
             "]+f_wall_zplane[" + n + "]\n";

@@ -70,8 +70,7 @@ std::vector<Frame> run_with_cut(int before, int after, int cut, const std::strin
   REQUIRE(place.run(on_ranks(before) + place.create(grains_in_contact(), two_types) + physics() + plane + run(cut) +
                         "write_restart cut.restart\n",
                     before) == 0);
-  REQUIRE(place.run(on_ranks(after) + "read_restart cut.restart\n" + restated + plane + dump("rest") +
-                        run(steps - cut),
+  REQUIRE(place.run(on_ranks(after) + "read_restart cut.restart\n" + restated + plane + dump("rest") + run(steps - cut),
                     after) == 0);
   return place.frames("rest");
 }
