@@ -60,7 +60,7 @@ double stepped_restitution(const Law& law, ContactEnd end, const Impact& impact,
 /// The same in liggghts-ricochet, whose contact finds both its ends.
 template <class Contact>
 double located_restitution(const Contact& contact, const Impact& impact, double h, double lead, int most_steps) {
-  std::array<double, liggghts::HalfStepContact::size> history{};
+  std::array<double, half_step::HalfStepContact::size> history{};
   double overlap = (lead - 1) * h * impact.velocity, rate = impact.velocity, force = 0;
   for (int n = 1; n <= most_steps; ++n) {
     const double half = rate - 0.5 * h * force / impact.mass_eff;
@@ -124,7 +124,7 @@ class Located {
 
   double error(int steps) const {
     const double h = target_.tcol / steps;
-    const liggghts::LocatedContact<Law> contact(in_steps(h), kernel_, 1);
+    const half_step::LocatedContact<Law> contact(in_steps(h), kernel_, 1);
     const Impact impact{target_.impact.velocity * h, target_.impact.mass_eff};
     return worst_error(target_,
                        [&](double lead) { return located_restitution(contact, impact, 1, lead, patience * steps); });
@@ -133,7 +133,7 @@ class Located {
  private:
   static constexpr int memory = 1000;  // steps, the engine's own choice
   static constexpr std::size_t most_arms =
-      liggghts::ContactHistory::arm_slots - (MaxwellArms::max_arms - Law::Arms::max_kernel_arms);
+      half_step::ContactHistory::arm_slots - (MaxwellArms::max_arms - Law::Arms::max_kernel_arms);
 
   Law in_steps(double h) const {
     if constexpr (std::same_as<Law, Fractional>) {

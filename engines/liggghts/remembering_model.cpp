@@ -16,6 +16,8 @@ namespace {
 // A contact that lasts longer than this many steps is carried on by the kernel's spring, unless memoryTime says more.
 constexpr double default_memory_steps = 1e3;
 
+constexpr half_step::TargetNames target_names{"collisionTime", "coefficientRestitution", "fractionalAlpha"};
+
 /// `fractionalK` of the parameter k.
 std::string property_name(std::string_view parameter) {
   std::string name = fmt::format("fractional{}", parameter);
@@ -193,7 +195,7 @@ PairLaw<Law> RememberingModel<Law>::read_pair(int i, int j, const ContactFor<Law
     Held held;
     if (alpha_) held.alpha = alpha_[i][j];
     if (stiffening_) held.stiffening = stiffening_[i][j];
-    return PairLaw<Law>::from_target(tcol_[i][j], en_[i][j], held, velocity_, contact_for);
+    return PairLaw<Law>::from_target(tcol_[i][j], en_[i][j], held, velocity_, contact_for, target_names);
   }
   ParameterValues<Law> values{};
   std::transform(parameters_.begin(), parameters_.end(), values.begin(), [&](double** p) { return p[i][j]; });

@@ -16,6 +16,11 @@
 
 namespace ricochet::liggghts {
 
+using half_step::ContactFor;
+using half_step::ContactHistory;
+using half_step::LocatedContact;
+using half_step::PairLaw;
+
 /// A law with a fractional memory as a normal model of LIGGGHTS: reads the properties of the deck, keeps a PairLaw of
 /// every two types, and drives each contact by its LocatedContact.
 template <class Law>

@@ -11,7 +11,7 @@
 #include <vector>
 
 using namespace ricochet;
-using namespace ricochet::liggghts;
+using namespace ricochet::half_step;
 
 namespace {
 

@@ -10,9 +10,11 @@
 #include <map>
 
 using namespace ricochet;
-using namespace ricochet::liggghts;
+using namespace ricochet::half_step;
 
 namespace {
+
+constexpr TargetNames names{"collisionTime", "coefficientRestitution", "fractionalAlpha"};
 
 template <class Law>
 struct Contacts {
@@ -25,7 +27,7 @@ struct Contacts {
 using FractionalPair = PairLaw<Fractional>;
 
 FractionalPair fractional_target(double tcol, double en, Contacts<Fractional>& contacts) {
-  return FractionalPair::from_target(tcol, en, {}, 1, std::ref(contacts));
+  return FractionalPair::from_target(tcol, en, {}, 1, std::ref(contacts), names);
 }
 
 }  // namespace
@@ -81,7 +83,7 @@ TEST_CASE("A target that no contact meets is named") {
   CHECK_THROWS_WITH(fractional_target(0, 0.5, contacts), Catch::Contains("collisionTime = 0"));
   CHECK_THROWS_WITH(fractional_target(1e-4, 1.5, contacts), Catch::Contains("coefficientRestitution = 1.5"));
   Contacts<FractionalKelvinVoigt> solid;
-  CHECK_THROWS_WITH(PairLaw<FractionalKelvinVoigt>::from_target(1e-4, 0.2, {0.5}, 1, std::ref(solid)),
+  CHECK_THROWS_WITH(PairLaw<FractionalKelvinVoigt>::from_target(1e-4, 0.2, {0.5}, 1, std::ref(solid), names),
                     Catch::Contains("coefficientRestitution = 0.2: must be one that"));
 }
 
@@ -92,7 +94,7 @@ namespace {
 template <class Law>
 void check_solid(double en, const Held& held, double velocity) {
   Contacts<Law> contacts;
-  const PairLaw<Law> law = PairLaw<Law>::from_target(1e-4, en, held, velocity, std::ref(contacts));
+  const PairLaw<Law> law = PairLaw<Law>::from_target(1e-4, en, held, velocity, std::ref(contacts), names);
   const Collision unit = collide(law.contact().law(), {velocity, 1});
   CHECK(unit.tcol == Approx(1e-4).epsilon(1e-9));
   CHECK(unit.en == Approx(en).epsilon(1e-9));

@@ -6,7 +6,7 @@
 #include <cmath>
 
 using namespace ricochet;
-using namespace ricochet::liggghts;
+using namespace ricochet::half_step;
 
 TEST_CASE("the weight of the first kick is minus the Hurwitz zeta function where that is known") {
   // −ζ(0, a) = a − 1/2, −ζ(−1, a) = B₂(a)/2, ζ(s, 1) = ζ(s), ζ(s, 2) = ζ(s) − 1 and ζ(−1/2) = −0.2078862249773545….
@@ -35,20 +35,18 @@ TEST_CASE("with the weight a sum of kicks loses its error of order 1 + p") {
 TEST_CASE("the rate at a step's end is exact for rates as smooth as its points allow") {
   const auto linear = [](double t) { return 2 - 3 * t; };
   const auto quadratic = [](double t) { return 2 - 3 * t + 5 * t * t; };
-  CHECK(half_step::rate_at_end(linear(-0.5), linear(-1.5), 0) == Approx(linear(0)).epsilon(1e-15));
-  CHECK(half_step::rate_at_end(quadratic(-0.5), quadratic(-1.5), quadratic(-2.5)) ==
-        Approx(quadratic(0)).epsilon(1e-14));
+  CHECK(rate_at_end(linear(-0.5), linear(-1.5), 0) == Approx(linear(0)).epsilon(1e-15));
+  CHECK(rate_at_end(quadratic(-0.5), quadratic(-1.5), quadratic(-2.5)) == Approx(quadratic(0)).epsilon(1e-14));
 }
 
 TEST_CASE("a force about to end carries what is left of its ramp, any other is left as it is") {
   // A ramp with the slope s that ends θ of a step ahead; the area from half a step before on is the weight's.
   const double slope = 3;
   for (double theta : {0.1, 0.5, 0.99})
-    CHECK(half_step::last_weighted(slope * theta, slope * (theta + 1)) ==
-          Approx(slope * start_weight(1, theta)).epsilon(1e-12));
-  CHECK(half_step::last_weighted(1.0, 1.9) == 1.0);  // it lasts longer than a step
-  CHECK(half_step::last_weighted(2.0, 1.0) == 2.0);  // it rises
-  CHECK(half_step::last_weighted(-1.0, 1.0) == -1.0);
+    CHECK(last_weighted(slope * theta, slope * (theta + 1)) == Approx(slope * start_weight(1, theta)).epsilon(1e-12));
+  CHECK(last_weighted(1.0, 1.9) == 1.0);  // it lasts longer than a step
+  CHECK(last_weighted(2.0, 1.0) == 2.0);  // it rises
+  CHECK(last_weighted(-1.0, 1.0) == -1.0);
 }
 
 TEST_CASE("the first kicks of the laws have their limits") {

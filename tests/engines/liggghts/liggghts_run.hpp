@@ -1,34 +1,8 @@
 #pragma once
 
-#include <array>
-#include <filesystem>
-#include <string>
-#include <vector>
+#include "engine_run.hpp"
 
 namespace engines {
-
-using Vector = std::array<double, 3>;
-
-struct Grain {
-  int type = 1;
-  double radius = 1.5e-3;  ///< [m]
-  double density = 1000;   ///< [kg/m³]
-  Vector position{}, velocity{};
-
-  double mass() const;
-};
-
-/// Where the grains are at one time step, by increasing id; ids count from 1 in the order of the grains.
-struct Frame {
-  long step = 0;
-  std::vector<Vector> position, velocity, force;
-};
-
-struct Box {
-  Vector low, high;
-  const char* boundary = "f f f";
-  int types = 1;
-};
 
 /// A normal model of ours, with the properties that it takes beside collisionTime and coefficientRestitution, for
 /// impacts of 0.5 m/s.
@@ -38,39 +12,11 @@ struct Model {
 /// All of them, the fractional law first.
 std::vector<Model> our_models();
 
-/// A folder of its own in which decks are run by the driver with one of our models.
-class Workplace {
- public:
-  explicit Workplace(const std::string& name);
-
-  /// Runs the deck; returns the exit code. Output is in out.txt.
-  int run(const std::string& deck, int ranks = 1) const;
-  std::string output() const;
-  std::filesystem::path file(const std::string& name) const { return folder_ / name; }
-
-  /// Writes the grains as the data file `name`, with the commands that read it and set their velocities.
-  std::string create(const std::vector<Grain>& grains, const Box& box, const std::string& name = "grains.data") const;
-
-  /// A square in the plane x = 0, of two triangles, as an STL file: low … high in y and z.
-  void write_square(const std::string& name, double low, double high) const;
-
-  std::vector<Frame> frames(const std::string& dump) const;
-
- private:
-  std::filesystem::path folder_;
-};
-
 /// Settings that every deck starts with; `newton off` and `map array` are what granular runs use.
 std::string preamble(const Box& box, const std::string& processors = "* 1 1");
 /// `fix property/global NAME peratomtypepair` of a symmetric matrix.
 std::string pair_property(const std::string& name, const std::vector<std::vector<double>>& matrix);
 /// The same value for all of n types.
 std::string pair_property(const std::string& name, double value, int types = 1);
-/// Positions, velocities and forces at full precision each `every` steps into `file`.
-std::string dump_command(const std::string& file, int every = 1);
-std::string number(double value);
-
-/// Largest difference of positions, velocities and forces between two runs, each over the largest of its kind.
-double largest_difference(const std::vector<Frame>& a, const std::vector<Frame>& b);
 
 }  // namespace engines

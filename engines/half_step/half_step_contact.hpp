@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-namespace ricochet::liggghts {
+namespace ricochet::half_step {
 
 /// What a contact remembers: `size` doubles, all zero before the first touch, in the engine's own history. They migrate
 /// and are written to restart files by the engine.
@@ -97,8 +97,6 @@ extern template class LocatedContact<FractionalZener>;
 
 // The hot path, called for every contact and step.
 
-namespace half_step {
-
 /// The rate half a step after the last of equally spaced ones.
 inline double rate_at_end(double last, double before, double oldest) noexcept {
   return oldest == 0 ? 1.5 * last - 0.5 * before : 1.875 * last - 1.25 * before + 0.375 * oldest;
@@ -112,8 +110,6 @@ inline double last_weighted(double force, double previous) noexcept {
   const double theta = force / fall;
   return fall * (theta * theta + theta + 1. / 6) / 2;
 }
-
-}  // namespace half_step
 
 template <class Law>
 inline void LocatedContact<Law>::advance(double* history, double step, double now, double half_step_rate,
@@ -129,7 +125,7 @@ inline void LocatedContact<Law>::advance(double* history, double step, double no
 template <class Law>
 inline void LocatedContact<Law>::go_on(double* history, double now, double dt) const noexcept {
   const double mean = (now - history[overlap]) / dt;
-  const double end = half_step::rate_at_end(mean, history[rate], history[older_rate]);
+  const double end = rate_at_end(mean, history[rate], history[older_rate]);
   const double from = stretched({history[overlap], 0}).overlap;
   const Approach after = stretched({now, end});
   const Approach before{from, 2 * ((after.overlap - from) / dt) - after.rate};
@@ -138,7 +134,7 @@ inline void LocatedContact<Law>::go_on(double* history, double now, double dt) c
                                : step_otherwise(history, before, after, dt);
   history[older_rate] = history[rate];
   history[rate] = mean;
-  history[force] = half_step::last_weighted(force_now, history[force]);
+  history[force] = last_weighted(force_now, history[force]);
 }
 
-}  // namespace ricochet::liggghts
+}  // namespace ricochet::half_step

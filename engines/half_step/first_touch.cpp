@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ricochet::liggghts {
+namespace ricochet::half_step {
 
 namespace {
 
@@ -78,4 +78,4 @@ double first_work(const FractionalZener& law, double rate, double since) noexcep
   return rate * rate * (0.5 * law.k() * since * since + law.k1() * arm_response(law, since, 3));
 }
 
-}  // namespace ricochet::liggghts
+}  // namespace ricochet::half_step

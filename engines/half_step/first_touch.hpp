@@ -5,7 +5,7 @@
 #include <ricochet/contact/fractional_kelvin_voigt.hpp>
 #include <ricochet/contact/fractional_zener.hpp>
 
-namespace ricochet::liggghts {
+namespace ricochet::half_step {
 
 /// Weight w(θ) of the first kick after a touch that lies θ of a step back, 0 < θ ≤ 1: a force (t − t_b)^p, summed as
 /// dt Σ_{k≥0} F((k + θ) dt) with w(θ) dt^p in place of the first F, has no start error of order 1 + p.
@@ -31,4 +31,4 @@ double first_work(const FractionalKelvinVoigt& law, double rate, double since) n
 double first_work(const FractionalHertz& law, double rate, double since) noexcept;
 double first_work(const FractionalZener& law, double rate, double since) noexcept;
 
-}  // namespace ricochet::liggghts
+}  // namespace ricochet::half_step

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ricochet::liggghts {
+namespace ricochet::half_step {
 
 namespace {
 
@@ -87,4 +87,4 @@ template class LocatedContact<FractionalKelvinVoigt>;
 template class LocatedContact<FractionalHertz>;
 template class LocatedContact<FractionalZener>;
 
-}  // namespace ricochet::liggghts
+}  // namespace ricochet::half_step

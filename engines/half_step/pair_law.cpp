@@ -3,8 +3,9 @@
 #include <ricochet/support/require.hpp>
 
 #include <cmath>
+#include <string>
 
-namespace ricochet::liggghts {
+namespace ricochet::half_step {
 
 namespace {
 
@@ -22,14 +23,13 @@ std::optional<UnitLaw<Law>> unit_of(double en, const Held& held) {
 
 template <class Law>
 PairLaw<Law> PairLaw<Law>::from_target(double tcol, double en, const Held& held, double velocity,
-                                       const ContactFor<Law>& contact_for) {
-  support::require_positive("collisionTime", tcol);
-  support::require(en > 0 && en <= 1, "coefficientRestitution", en, "0 < en <= 1");
+                                       const ContactFor<Law>& contact_for, const TargetNames& names) {
+  support::require_positive(names.tcol, tcol);
+  support::require(en > 0 && en <= 1, names.en, en, "0 < en <= 1");
   const auto unit = unit_of<Law>(en, held);
-  support::require(unit.has_value(), "coefficientRestitution", en,
-                   "one that the law reaches with this fractionalAlpha");
+  support::require(unit.has_value(), names.en, en, "one that the law reaches with this " + std::string(names.alpha));
   const auto law = Reduction<Law>::in_si(unit->law, tcol, {velocity, 1});
-  support::require(law.has_value(), "collisionTime", tcol, "one whose coefficients a double carries");
+  support::require(law.has_value(), names.tcol, tcol, "one whose coefficients a double carries");
   PairLaw pair(contact_for(*law), velocity);
   pair.target_ = Outcome{std::log(tcol), -std::log(en)};
   return pair;
@@ -71,4 +71,4 @@ template class PairLaw<FractionalKelvinVoigt>;
 template class PairLaw<FractionalHertz>;
 template class PairLaw<FractionalZener>;
 
-}  // namespace ricochet::liggghts
+}  // namespace ricochet::half_step

@@ -7,14 +7,20 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string_view>
 
-namespace ricochet::liggghts {
+namespace ricochet::half_step {
 
 /// Stiffness [kg/s²] and damping [kg/s] of the linear contact with the same collision time and restitution. The
 /// engine's tangential and rolling models scale theirs by these.
 struct LinearEquivalent {
   double stiffness;
   double damping;
+};
+
+/// What an engine's users call that which a contact is asked for; messages name it so.
+struct TargetNames {
+  std::string_view tcol, en, alpha;
 };
 
 /// Finds the contact of a law; an engine keeps those it has made, as their kernels take a fit each.
@@ -31,7 +37,7 @@ class PairLaw {
   /// coefficients are proportional to the pair's effective mass. Throws std::invalid_argument, also for a restitution
   /// that is not reached.
   static PairLaw from_target(double tcol, double en, const Held& held, double velocity,
-                             const ContactFor<Law>& contact_for);
+                             const ContactFor<Law>& contact_for, const TargetNames& names);
 
   /// Every pair has this law, whatever its mass. Throws std::invalid_argument for one whose contact does not end.
   static PairLaw from_parameters(const Law& law, double velocity, const ContactFor<Law>& contact_for);
@@ -64,4 +70,4 @@ extern template class PairLaw<FractionalKelvinVoigt>;
 extern template class PairLaw<FractionalHertz>;
 extern template class PairLaw<FractionalZener>;
 
-}  // namespace ricochet::liggghts
+}  // namespace ricochet::half_step

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace engines {
+
+using Vector = std::array<double, 3>;
+
+struct Grain {
+  int type = 1;
+  double radius = 1.5e-3;  ///< [m]
+  double density = 1000;   ///< [kg/m³]
+  Vector position{}, velocity{};
+
+  double mass() const;
+};
+
+/// Where the grains are at one time step, by increasing id; ids count from 1 in the order of the grains.
+struct Frame {
+  long step = 0;
+  std::vector<Vector> position, velocity, force;
+};
+
+struct Box {
+  Vector low, high;
+  const char* boundary = "f f f";
+  int types = 1;
+};
+
+/// A folder of its own in which decks are run by the driver that this test program is for, RICOCHET_DRIVER.
+class Workplace {
+ public:
+  explicit Workplace(const std::string& name);
+
+  /// Runs the deck; returns the exit code. Output is in out.txt.
+  int run(const std::string& deck, int ranks = 1) const;
+  std::string output() const;
+  std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+
+  /// Writes the grains as the data file `name`, with the commands that read it and set their velocities.
+  std::string create(const std::vector<Grain>& grains, const Box& box, const std::string& name = "grains.data") const;
+
+  /// A square in the plane x = 0, of two triangles, as an STL file: low … high in y and z.
+  void write_square(const std::string& name, double low, double high) const;
+
+  std::vector<Frame> frames(const std::string& dump) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// Positions, velocities and forces at full precision each `every` steps into `file`.
+std::string dump_command(const std::string& file, int every = 1);
+std::string number(double value);
+
+/// Largest difference of positions, velocities and forces between two runs, each over the largest of its kind.
+double largest_difference(const std::vector<Frame>& a, const std::vector<Frame>& b);
+
+}  // namespace engines
