@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs a part of the conformance kit again and compares it with the stored results.
 
-    conformance_rerun.py VERIFY ADAPTER STORED.csv PROGRAM [CASE…]
+    rerun.py VERIFY ADAPTER STORED.csv PROGRAM [CASE…]
 
-Without cases all of the file's cases that ran, at 50 steps. An engine that is not there, or of another version than the
-stored results, is skipped (exit code 77); what differs is told in a line each (exit code 1).
+All cases, unless some are named, at 50 steps. An engine that is not there, or of another version than the stored
+results (our own is held to them in any version), is skipped: exit code 77. What differs is told in a line each: 1.
 """
 
 import csv
@@ -67,7 +67,7 @@ def main(verify, adapter, stored, program, *only):
         subprocess.run([sys.executable, adapter, cases, "-o", results, "--program", program, "--steps", STEPS, *chosen],
                        check=True)
         now, after = read(results)
-    if now["version"] != about["version"]:
+    if now["version"] != about["version"] and not now["engine"].startswith("Ricochet"):
         skip(f"{stored} is of {about['version']}, here is {now['version']}")
     before = {key: row for key, row in before.items() if not only or key[0] in only}
     told = [f"{key}: {'is new' if key in after else 'is missing'}" for key in sorted(before.keys() ^ after.keys())]
