@@ -22,9 +22,10 @@ std::optional<RunWatch::Remark> RunWatch::look_at_step(std::size_t kind, double 
                   true};
   if (steps >= advised_steps || coarse_said_) return std::nullopt;
   coarse_said_ = true;
-  return Remark{fmt::format("timestep = {:.6g} leaves {:.3g} steps to the shortest collision time, {:.6g}; {} are "
-                            "advised",
-                            dt, steps, tcol, advised_steps)};
+  return Remark{
+      fmt::format("timestep = {:.6g} leaves {:.3g} steps to the shortest collision time, {:.6g}; {} are "
+                  "advised",
+                  dt, steps, tcol, advised_steps)};
 }
 
 RunWatch::Remark RunWatch::soft(double overlap, double radius) {
