@@ -1,8 +1,9 @@
 #pragma once
 
-#include <cstdint>
-#include <limits>
+#include "run_watch.hpp"
+
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -15,40 +16,28 @@ struct SurfacesIntersectData;
 
 namespace ricochet::liggghts {
 
-/// What a normal model says about the run that it is in: a time step too coarse for its collisions, grains too soft for
-/// their loads, contacts that lost their memory. Each warning once a run.
+/// RunWatch in LIGGGHTS: kinds of contacts are pairs of types, itype·types + jtype.
 class ModelWatch {
  public:
-  /// Collision times over time steps: fewer than the first are warned of, than the second refused.
-  static constexpr double advised_steps = 20, least_steps = 4;
-  /// Overlaps of more than this part of the smaller radius are warned of.
-  static constexpr double soft_overlap = 0.1;
-
   ModelWatch(LAMMPS_NS::LAMMPS* lmp, std::string model) : lmp_(lmp), model_(std::move(model)) {}
 
   /// Before a run of grains of so many types (0 … types − 1).
   void begin_run(int types);
 
-  /// The effective mass of the lightest pair of types `at` (itype·types + jtype) that was looked at.
-  bool is_lightest(int at, double mass_eff) const noexcept { return mass_eff < lightest_[at]; }
+  bool is_lightest(int at, double mass_eff) const noexcept { return run_.is_lightest(at, mass_eff); }
   /// Looks at it: warns, or ends the run on all ranks or this one.
   void check_step(int at, double mass_eff, double tcol, bool on_all_ranks);
 
   void check_overlap(const LIGGGHTS::ContactModels::SurfacesIntersectData& pair);
   /// Of a contact that has a memory of an earlier step than the last.
-  void check_memory() {
-    if (was_reset_) say_forgotten();
-  }
+  void check_memory();
 
  private:
-  void say_forgotten();
   void warn(const std::string& text) const;
 
   LAMMPS_NS::LAMMPS* lmp_;
   std::string model_;
-  std::vector<double> lightest_;
-  std::int64_t next_start_ = -1;  // the step at which the next run begins, unless it is reset
-  bool was_reset_ = false, coarse_said_ = false, soft_said_ = false;
+  half_step::RunWatch run_;
 };
 
 /// The effective mass of the lightest pair of grains of every two types on all ranks, infinite where there is none;

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "engine_run.hpp"
+#include "../runs/deck_run.hpp"
+
+#include <string>
+#include <vector>
 
 namespace engines {
 
@@ -18,5 +21,10 @@ std::string preamble(const Box& box, const std::string& processors = "* 1 1");
 std::string pair_property(const std::string& name, const std::vector<std::vector<double>>& matrix);
 /// The same value for all of n types.
 std::string pair_property(const std::string& name, double value, int types = 1);
+/// Positions, velocities and forces at full precision each `every` steps into `file`.
+std::string dump_command(const std::string& file, int every = 1);
+
+/// Writes a square in the plane x = 0, of two triangles, as an STL file: low … high in y and z.
+void write_square(const std::filesystem::path& file, double low, double high);
 
 }  // namespace engines

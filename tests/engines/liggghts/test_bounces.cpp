@@ -38,7 +38,7 @@ std::vector<Frame> run_bounces(const Setting& setting, int ranks) {
   // The ranks share the path: they meet at x = 0.0016, where the grain's centre passes at each flight.
   const Box box{{-0.0048, -0.01, -0.01}, {0.008, 0.01, 0.01}};
   const Workplace place(std::string("bounces_") + setting.name + "_" + std::to_string(ranks));
-  place.write_square("square.stl", -0.0095, 0.0095);
+  write_square(place.file("square.stl"), -0.0095, 0.0095);
   std::vector<Grain> grains{{.position = {radius + room, 1e-3, 0}, .velocity = {-speed, 0, 0}}};
   if (setting.grains) {
     grains.push_back({.position = {-radius, 1e-3, 0}});

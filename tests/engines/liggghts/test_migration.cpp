@@ -1,3 +1,4 @@
+#include "../runs/scenes.hpp"
 #include "liggghts_run.hpp"
 
 #include <catch2/catch.hpp>
@@ -6,35 +7,14 @@
 #include <cstdio>
 
 using namespace engines;
+using namespace engines::crossing;
 
 namespace {
-
-constexpr double tcol = 1e-4, en = 0.5, dt = tcol / 50, speed = 0.5;
-constexpr int steps = 160;
 
 std::string physics(const Model& model, const std::string& walls = "") {
   return "neighbor 0.0005 bin\nneigh_modify every 1 delay 0 check no\n" + pair_property("collisionTime", tcol) +
          pair_property("coefficientRestitution", en) + model.properties + "pair_style gran model " + model.name +
          "\npair_coeff * *\n" + walls + "fix move all nve/sphere\ntimestep " + number(dt) + "\n";
-}
-
-const Box box{{-0.02, -0.01, -0.01}, {0.02, 0.01, 0.01}};
-
-// Two grains that collide while they drift along x through the plane x = 0 between two ranks: along `axis` of contact
-// (0: one after the other crosses; 1: both at once), with a start such that they cross in the middle of the contact.
-std::vector<Grain> drifting_pair(int axis, double drift) {
-  const double radius = 1.5e-3, gap = 10 * dt * speed;
-  Grain a{.radius = radius}, b{.radius = radius};
-  const double middle = -drift * (10 * dt + 0.4 * tcol);
-  a.position[0] = b.position[0] = middle;
-  if (axis == 0) a.position[0] += drift > 0 ? -radius : radius;  // so that one of them crosses while they touch
-  if (axis == 0) b.position[0] += drift > 0 ? -radius : radius;
-  a.position[axis] -= radius + gap / 2;
-  b.position[axis] += radius + gap / 2;
-  a.velocity[0] = b.velocity[0] = drift;
-  a.velocity[axis] += speed / 2;
-  b.velocity[axis] -= speed / 2;
-  return {a, b};
 }
 
 std::vector<Frame> run_pair(const Model& model, const std::string& name, const std::vector<Grain>& grains, int ranks) {
@@ -45,25 +25,10 @@ std::vector<Frame> run_pair(const Model& model, const std::string& name, const s
   return place.frames("dump");
 }
 
-// Steps at which grain `i` is on the other side of x = 0 than the step before, while the force acts.
-int crossings_in_contact(const std::vector<Frame>& frames, std::size_t i) {
-  int count = 0;
-  for (std::size_t n = 1; n < frames.size(); ++n) {
-    const Vector& f = frames[n].force[i];
-    const bool touching = f[0] != 0 || f[1] != 0 || f[2] != 0;
-    count += touching && (frames[n - 1].position[i][0] < 0) != (frames[n].position[i][0] < 0);
-  }
-  return count;
-}
-
-}  // namespace
-
-namespace {
-
 void check_crossings(const Model& model) {
   for (int axis : {0, 1})
     for (double drift : {30., -30.}) {
-      const auto grains = drifting_pair(axis, drift);
+      const auto grains = crossing::pair(axis, drift);
       const std::string name =
           std::string("crossing_") + (axis == 0 ? "along" : "across") + (drift > 0 ? "_right" : "_left");
       const auto one = run_pair(model, name, grains, 1), two = run_pair(model, name, grains, 2);
@@ -81,8 +46,7 @@ void check_crossings(const Model& model) {
 
 void check_restarts(const Model& model) {
   // A pair that crosses between ranks, one grain on a primitive wall and one on a mesh wall, all in contact at the cut.
-  std::vector<Grain> grains = drifting_pair(1, 30);
-  const double radius = 1.5e-3;
+  std::vector<Grain> grains = crossing::pair(1, 30);
   const double wall_start = radius + 10 * dt * speed;
   grains.push_back({.position = {-0.01, 0.005, -0.01 + wall_start}, .velocity = {0, 0, -speed}});
   grains.push_back({.position = {0.0145 - wall_start, -0.005, 0.003}, .velocity = {speed, 0, 0}});
@@ -93,7 +57,7 @@ void check_restarts(const Model& model) {
                             model.name + " mesh n_meshes 1 meshes square\n";
   for (int ranks : {1, 2}) {
     const Workplace place(model.name + "_restart_" + std::to_string(ranks));
-    place.write_square("square.stl", -0.0095, 0.0095);
+    write_square(place.file("square.stl"), -0.0095, 0.0095);
     const std::string start = preamble(box, ranks == 2 ? "2 1 1" : "1 1 1");
     const int cut = 10 + 20;  // 0.4 t_col into the contacts
     REQUIRE(place.run(start + place.create(grains, box) + physics(model, walls) + dump_command("whole") + "run " +

@@ -1,3 +1,4 @@
+#include "../runs/scenes.hpp"
 #include "liggghts_run.hpp"
 
 #include <catch2/catch.hpp>
@@ -5,35 +6,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <random>
 #include <sstream>
 
 using namespace engines;
 
 namespace {
 
-constexpr double tcol = 4e-4, dt = tcol / 50, radius = 1.5e-3, gravity = 9.81;
-constexpr int side = 10, every = 1000;
+constexpr double tcol = 4e-4, dt = tcol / 50, gravity = 9.81;
+constexpr int every = 1000;
 
 struct Energy {
   double kinetic, potential, stored, dissipated;  // [J]
   double height;                                  // of the centre of mass [m]
   double total() const { return kinetic + potential + stored + dissipated; }
 };
-
-// A loose lattice over the floor of a box, stirred: as it is it would stand on friction alone for a while.
-std::vector<Grain> loose_lattice(double spacing) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> shift(-1e-4, 1e-4), stir(-0.3, 0.3);
-  std::vector<Grain> grains;
-  for (int i = 0; i < side * side * side; ++i)
-    grains.push_back(
-        {.radius = radius,
-         .position = {(i % side + 0.5) * spacing + shift(random), (i / side % side + 0.5) * spacing + shift(random),
-                      (i / (side * side) + 0.5) * spacing},
-         .velocity = {stir(random), stir(random), stir(random)}});
-  return grains;
-}
 
 struct Pouring {
   std::string name;
@@ -49,9 +35,8 @@ struct Cut {
 constexpr Cut cuts[] = {{1, "1 1 1", "one rank"}, {2, "2 1 1", "two ranks along x"}, {2, "1 2 1", "two along y"}};
 
 std::vector<Energy> pour(const Pouring& pouring, const Cut& cut) {
-  constexpr double spacing = 3.4e-3, width = side * spacing;
-  const Box box{{0, 0, 0}, {width, width, 0.06}};
-  const auto grains = loose_lattice(spacing);
+  const Box box{{0, 0, 0}, {pouring::width, pouring::width, 0.06}};
+  const auto grains = pouring::loose_lattice();
   const Workplace place("pouring_" + pouring.name + "_" + cut.name);
   std::string walls;
   const char* planes[] = {"zplane 0", "xplane 0", "yplane 0", "xplane 0.034", "yplane 0.034"};

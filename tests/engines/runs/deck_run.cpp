@@ -1,4 +1,4 @@
-#include "engine_run.hpp"
+#include "deck_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,16 +22,14 @@ std::string number(double value) {
   return text;
 }
 
-Workplace::Workplace(const std::string& name) : folder_(fs::path(RICOCHET_ENGINE_RUNS) / name) {
+Workplace::Workplace(const std::string& name) : folder_(runs_folder() / name) {
   fs::remove_all(folder_);
   fs::create_directories(folder_);
 }
 
 int Workplace::run(const std::string& deck, int ranks) const {
   std::ofstream(file("in.deck")) << deck;
-  std::string command = "cd '" + folder_.string() + "' && ";
-  if (ranks > 1) command += RICOCHET_MPIEXEC " --allow-run-as-root --oversubscribe -np " + std::to_string(ranks) + " ";
-  command += RICOCHET_DRIVER " -in in.deck > out.txt 2>&1";
+  const std::string command = "cd '" + folder_.string() + "' && " + engine_command(ranks) + " > out.txt 2>&1";
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
@@ -66,19 +64,6 @@ std::string Workplace::create(const std::vector<Grain>& grains, const Box& box, 
   return "read_data " + name + "\n";
 }
 
-void Workplace::write_square(const std::string& name, double low, double high) const {
-  using Corner = std::array<double, 2>;
-  const Corner a{low, low}, b{high, low}, c{high, high}, d{low, high};
-  std::ofstream out(file(name));
-  out << "solid square\n";
-  for (const auto& triangle : {std::array{a, b, c}, std::array{a, c, d}}) {
-    out << "facet normal 1 0 0\nouter loop\n";
-    for (const Corner& corner : triangle) out << "vertex 0 " << number(corner[0]) << ' ' << number(corner[1]) << '\n';
-    out << "endloop\nendfacet\n";
-  }
-  out << "endsolid square\n";
-}
-
 std::vector<Frame> Workplace::frames(const std::string& dump) const {
   std::ifstream in(file(dump));
   std::vector<Frame> all;
@@ -106,9 +91,9 @@ std::vector<Frame> Workplace::frames(const std::string& dump) const {
   return all;
 }
 
-std::string dump_command(const std::string& file, int every) {
+std::string dump_command(const std::string& file, int every, const std::string& format) {
   std::string text = "dump " + file + " all custom " + std::to_string(every) + ' ' + file +
-                     " id x y z vx vy vz fx fy fz\ndump_modify " + file + " sort id format \"%d";
+                     " id x y z vx vy vz fx fy fz\ndump_modify " + file + " sort id " + format + " \"%d";
   for (int i = 0; i < 9; ++i) text += " %.17g";
   return text + "\"\n";
 }

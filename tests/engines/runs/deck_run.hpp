@@ -30,7 +30,11 @@ struct Box {
   int types = 1;
 };
 
-/// A folder of its own in which decks are run by the driver that this test program is for, RICOCHET_DRIVER.
+/// How an engine of the LAMMPS family is called: each test program defines them for its own.
+std::string engine_command(int ranks);  ///< that runs in.deck in the present folder
+std::filesystem::path runs_folder();
+
+/// A folder of its own in which decks are run by the driver with one of our models.
 class Workplace {
  public:
   explicit Workplace(const std::string& name);
@@ -43,17 +47,14 @@ class Workplace {
   /// Writes the grains as the data file `name`, with the commands that read it and set their velocities.
   std::string create(const std::vector<Grain>& grains, const Box& box, const std::string& name = "grains.data") const;
 
-  /// A square in the plane x = 0, of two triangles, as an STL file: low … high in y and z.
-  void write_square(const std::string& name, double low, double high) const;
-
   std::vector<Frame> frames(const std::string& dump) const;
 
  private:
   std::filesystem::path folder_;
 };
 
-/// Positions, velocities and forces at full precision each `every` steps into `file`.
-std::string dump_command(const std::string& file, int every = 1);
+/// Positions, velocities and forces at full precision each `every` steps into `file`; `format` is the engine's keyword.
+std::string dump_command(const std::string& file, int every, const std::string& format);
 std::string number(double value);
 
 /// Largest difference of positions, velocities and forces between two runs, each over the largest of its kind.

@@ -1,0 +1,97 @@
+#include "../lammps/deck.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace engines;
+
+namespace {
+
+constexpr double tcol = 1e-4, en = 0.5, dt = tcol / 50, speed = 0.5;
+const Box box{{-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}};
+
+const std::vector<Grain> meeting{{.position = {-1.53e-3, 0, 0}, .velocity = {speed / 2, 0, 0}},
+                                 {.position = {1.53e-3, 0, 0}, .velocity = {-speed / 2, 0, 0}}};
+
+std::string with(const Workplace& place, const std::string& styles, double step = dt) {
+  return preamble(box) + place.create(meeting, box) + neighbours() + styles + move(step);
+}
+
+std::string with_law(const std::string& law) { return "pair_style fractional\npair_coeff * * " + law + "\n"; }
+
+/// `setting` is put in the place of the preamble's own.
+std::string complaint(const std::string& name, const std::string& styles, double step = dt,
+                      const std::string& setting = "") {
+  const Workplace place(name);
+  std::string deck = with(place, styles, step);
+  if (!setting.empty()) {
+    const auto at = deck.find(setting.substr(0, setting.find(' ')));
+    deck.replace(at, deck.find('\n', at) + 1 - at, setting);
+  }
+  CHECK(place.run(deck + run(10)) == 1);
+  return place.output();
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("misuse of the styles is refused with the name and the value") {
+  CHECK(contains(complaint("few", with_law("1 2")), "must be I J K C ALPHA or I J target T_COL E_N"));
+  CHECK(contains(complaint("en", with_law("target 1e-4 1.2")), "e_n = 1.2: must be 0 < en <= 1"));
+  CHECK(contains(complaint("tcol", with_law("target -1 0.5")), "t_col = -1: must be finite and > 0"));
+  CHECK(contains(complaint("alpha", with_law("1 1 1")), "alpha = 1: must be 0 <= alpha < 1"));
+  CHECK(contains(complaint("word", "pair_style fractional friction 0.5\n"), "friction 0.5: must be memory TIME or"));
+  CHECK(contains(complaint("memory", "pair_style fractional memory 0\n"), "memory = 0: must be > 0"));
+  const std::string good = with_law(target(tcol, en)), fix = "fix wall all wall/fractional ";
+  CHECK(contains(complaint("axis", good + fix + "plane 0 NULL " + target(tcol, en) + "\n"),
+                 "plane: must be xplane, yplane or zplane"));
+  CHECK(contains(complaint("wall", good + fix + "xplane 0 NULL 1 2\n"), "fix wall/fractional: must be xplane"));
+  CHECK(contains(complaint("newton", good, dt, "newton on\n"), "newton = on: must be newton off"));
+  CHECK(contains(complaint("units", good, dt, "units real\n"), "units = real: must be si, cgs, lj, micro or nano"));
+  CHECK(contains(complaint("velocities", "comm_modify vel no\n" + good), "needs comm_modify vel yes"));
+  CHECK(contains(complaint("rigid", good + "fix clump all rigid single\n"), "rigid bodies are not known"));
+}
+
+TEST_CASE("laws of two types are not mixed") {
+  Box two = box;
+  two.types = 2;
+  const Workplace place("mixed");
+  CHECK(place.run(preamble(two) + place.create(meeting, two) + neighbours() + "pair_style fractional\npair_coeff 1 1 " +
+                  target(tcol, en) + "\npair_coeff 2 2 " + target(tcol, en) + "\n" + move(dt) + run(1)) == 1);
+  CHECK(contains(place.output(), "pair_coeff 1 2 is missing"));
+}
+
+TEST_CASE("what the style has not is said at its start") {
+  const Workplace place("start");
+  REQUIRE(place.run(with(place, with_law(target(tcol, en))) + run(1)) == 0);
+  CHECK(contains(place.output(), "pair fractional: frictionless normal contacts"));
+}
+
+TEST_CASE("a step too coarse for the collisions is warned of, and refused") {
+  const auto output = [](const std::string& name, double steps) {
+    const Workplace place(name);
+    REQUIRE(place.run(with(place, with_law(target(tcol, en)), tcol / steps) + run(10)) == 0);
+    return place.output();
+  };
+  CHECK_FALSE(contains(output("steps_20", 20.01), "WARNING: pair fractional"));
+  CHECK(contains(output("steps_19", 19), "WARNING: pair fractional: timestep = 5.26316e-06 leaves 19 steps"));
+  CHECK(contains(complaint("steps_3", with_law(target(tcol, en)), tcol / 3.99), "must be at most 1/4"));
+}
+
+TEST_CASE("soft contacts, and contacts that lost their memory, are told of") {
+  const Workplace soft("soft");
+  REQUIRE(soft.run(with(soft, with_law(target(20 * tcol, en))) + run(500)) == 0);
+  CHECK(contains(soft.output(), "% of the smaller radius"));
+  for (const char* reset : {"reset_timestep 0\n", ""}) {
+    const Workplace place("reset");
+    REQUIRE(place.run(with(place, with_law(target(tcol, en))) + run(70) + reset + run(10)) == 0);
+    CHECK_FALSE(contains(place.output(), "% of the smaller radius"));
+    CHECK(contains(place.output(), "reset_timestep while grains touch") == (*reset != 0));
+  }
+}
+
+TEST_CASE("after `clear` the styles are there again") {
+  const Workplace place("clear");
+  const std::string deck = with(place, with_law(target(tcol, en)) + planes("xplane", "NULL", "0.01", target(tcol, en)));
+  REQUIRE(place.run(deck + run(1) + "clear\n" + deck + run(1)) == 0);
+}

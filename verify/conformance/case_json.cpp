@@ -1,0 +1,81 @@
+#include "case_json.hpp"
+
+namespace ricochet::verify::conformance {
+
+namespace {
+
+using console::Json;
+
+Json json(Vec3 v) { return {v.x, v.y, v.z}; }
+
+Json json(const Body& b) {
+  return {{"radius", b.radius},           {"mass", b.mass},
+          {"inertia", b.inertia()},       {"position", json(b.position)},
+          {"velocity", json(b.velocity)}, {"spin", json(b.spin)}};
+}
+
+Json named(std::string_view name, const std::vector<double>& values, std::span<const Parameter> parameters) {
+  Json all = Json::object();
+  for (std::size_t i = 0; i < values.size(); ++i) all[std::string(parameters[i].name)] = values[i];
+  return {{"name", name}, {"parameters", all}};
+}
+
+Json json(const std::optional<Meeting>& meeting) {
+  if (!meeting) return nullptr;
+  const LawKind kind = LawKind::of(meeting->law);
+  Json law = named(kind.name(), values(meeting->law), kind.parameters());
+  law["end"] = meeting->end == ContactEnd::force ? "force" : "overlap";
+  return law;
+}
+
+Json json(const std::optional<TangentialContact>& contact) {
+  if (!contact) return nullptr;
+  Json law = named(name(contact->law), values(contact->law), parameters_of(contact->law));
+  law["mu"] = contact->friction.mu_static();
+  const Torsion& t = contact->torsion;
+  law["torsion"] = t.limit == Torsion::Limit::none
+                       ? Json(false)
+                       : Json{{"arm", t.arm}, {"stiffness", t.spring.stiffness}, {"damping", t.spring.damping}};
+  law["mu_rolling"] = contact->rolling.mu;
+  law["k_rolling"] = contact->rolling.spring.stiffness;
+  law["c_rolling"] = contact->rolling.spring.damping;
+  return law;
+}
+
+Json json(const Answer& a, const std::string& how) {
+  return {{"quantity", name(a.quantity)},
+          {"body", a.body},
+          {"value", a.value},
+          {"scale", a.scale},
+          {"error", a.error},
+          {"how", how},
+          {"required", a.required}};
+}
+
+}  // namespace
+
+Json to_json(const Case& of) {
+  Json bodies = Json::array(), walls = Json::array(), all = Json::array();
+  for (const Body& b : of.bodies) bodies.push_back(json(b));
+  for (const Plane& w : of.walls) walls.push_back({{"point", json(w.point)}, {"normal", json(w.normal)}});
+  for (const Answer& a : answers(of)) all.push_back(json(a, of.how));
+  return {{"schema", "ricochet/case/1"},
+          {"case", of.name},
+          {"family", of.family},
+          {"title", of.title},
+          {"source", of.source},
+          {"bodies", bodies},
+          {"walls", walls},
+          {"gravity", json(of.gravity)},
+          {"law", json(of.law)},
+          {"wall_law", json(of.wall_law)},
+          {"tangential", json(of.tangential)},
+          {"flight_steps", of.flight_steps},
+          {"time_scale", of.time_scale},
+          {"steps", of.steps},
+          {"duration", of.duration},
+          {"answers", all},
+          {"expected_order", {{"leapfrog", of.orders.leapfrog}, {"located", of.orders.located}}}};
+}
+
+}  // namespace ricochet::verify::conformance
