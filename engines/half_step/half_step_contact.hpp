@@ -7,6 +7,9 @@
 
 namespace ricochet::half_step {
 
+/// A contact that lasts longer than this many steps is carried on by the kernel's spring, unless its user says more.
+inline constexpr double default_memory_steps = 1e3;
+
 /// What a contact remembers: `size` doubles, all zero before the first touch, in the engine's own history. They migrate
 /// and are written to restart files by the engine.
 struct ContactHistory {

@@ -13,9 +13,6 @@ using namespace LIGGGHTS;
 
 namespace {
 
-// A contact that lasts longer than this many steps is carried on by the kernel's spring, unless memoryTime says more.
-constexpr double default_memory_steps = 1e3;
-
 constexpr half_step::TargetNames target_names{"collisionTime", "coefficientRestitution", "fractionalAlpha"};
 
 /// `fractionalK` of the parameter k.
@@ -176,7 +173,7 @@ void RememberingModel<Law>::read_properties() {
     kernel_step_ = update->dt;
   else if (kernel_step_ != update->dt && comm->me == 0)
     error->warning(FLERR, (who + " keeps the memory kernel chosen for the first run's time step").c_str());
-  const double memory = memory_time_ > 0 ? memory_time_ : default_memory_steps * kernel_step_;
+  const double memory = memory_time_ > 0 ? memory_time_ : half_step::default_memory_steps * kernel_step_;
   const auto contact_for = [&](const Law& law) -> const LocatedContact<Law>& {
     return contacts_.try_emplace({law.values(), memory}, law, kernel_step_, memory).first->second;
   };

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# debian13.sh VERIFY         runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025)
-# debian13.sh --make         makes the system that it runs in: needs root, debootstrap and a Debian mirror; minutes
+# debian13.sh COMMAND [ARGUMENT…]    runs the command, for which `lmp` is the LAMMPS of Debian 13 (4 Feb 2025)
+# debian13.sh --make                 makes the system that it runs in: needs root, debootstrap and a Debian mirror;
+#                                    minutes
 # The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout. Where there is
 # none the test is skipped (exit code 77) and says so.
 set -euo pipefail
@@ -21,7 +22,6 @@ if [[ ${1:-} == --make ]]; then
   fi
   exec debootstrap --variant=minbase --include=lammps trixie "$system" "$mirror"
 fi
-verify=$(realpath "$1")
 [[ -x $system/usr/bin/lmp ]] || skip "no LAMMPS of Debian 13 in $system; tests/engines/debian13.sh --make makes it"
 ((EUID == 0)) || skip "only root can enter the system in $system"
 said=$(chroot "$system" lmp -h 2>/dev/null || true)
@@ -35,4 +35,4 @@ cat >"$programs/lmp" <<WRAPPER
 exec chroot "$system" /bin/sh -c 'cd "\$1" && shift && exec lmp "\$@"' sh "\${PWD#$system}" "\$@"
 WRAPPER
 chmod +x "$programs/lmp"
-TMPDIR=$scratch PATH=$programs:$PATH "$verify" engines --engine lammps --require lammps
+TMPDIR=$scratch PATH=$programs:$PATH "$@"

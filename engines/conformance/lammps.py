@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The conformance kit in LAMMPS (package GRANULAR): pair_style granular and fix wall/gran.
+
+    verify conformance --cases CASES && engines/conformance/lammps.py CASES -o lammps.csv
+
+Written for 29 Sep 2021 and 4 Feb 2025; docs/engines.md says what each of its words means.
+"""
+
+import functools
+import math
+import os
+import re
+import sys
+import tempfile
+
+from adapter import Engine, main, one_by_one, run_engine
+from case import (Body, Case, Law, NotRun, axis_of, effective_mass, effective_radius, parameters_of,
+                  require_solid_spheres)
+from outcome import EngineFailed, Instant, Path, State, run_of_path
+
+MONTHS = "Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec".split()
+
+
+@functools.lru_cache(maxsize=None)
+def version(program: str) -> str:
+    said = run_engine([program, "-h"], tempfile.gettempdir())
+    found = re.search(r"Simulator - (\d+ \w+ \d{4}(?: - Update \d+)?)", said)
+    if not found:
+        raise EngineFailed("-h does not say which version it is")
+    return found[1].replace(" - ", " ")
+
+
+def date_of(program: str) -> int:
+    """The version as a number, 20210929."""
+    day, month, year = version(program).split()[:3]
+    return 10000 * int(year) + 100 * (1 + MONTHS.index(month[:3])) + int(day)
+
+
+# --- Laws ------------------------------------------------------------------------------------------------------------
+def marshall(x: float) -> float:
+    """The polynomial of damping tsuji: c/√(mk) of its argument."""
+    return 1.2728 + x * (-4.2783 + x * (11.087 + x * (-22.348 + x * (27.467 + x * (-18.022 + x * 4.8218)))))
+
+
+def tsuji_argument(eta: float) -> float:
+    """Where the polynomial, which falls, is eta = c/√(mk)."""
+    low, high = -1.0, 1.0
+    if eta < marshall(high):
+        raise NotRun(f"damping tsuji: its polynomial never falls to c/sqrt(m k) = {eta:.6g}")
+    while marshall(low) < eta:
+        low *= 2
+    for _ in range(200):
+        middle = (low + high) / 2
+        low, high = (middle, high) if marshall(middle) > eta else (low, middle)
+    return low
+
+
+def tsuji_damping(eta: float, date: int) -> str:
+    """From 27 Jun 2024 on by a restitution, that of an attractive force, before by the polynomial."""
+    beta = eta / math.sqrt(5)
+    if date < 20240627:
+        return f"{tsuji_argument(eta)!r} damping tsuji"
+    if beta >= 1:
+        raise NotRun("damping coeff_restitution: an overdamped law has no restitution")
+    return f"{math.exp(-math.pi * beta / math.sqrt(1 - beta**2))!r} damping coeff_restitution"
+
+
+def normal(law: Law, mass: float, radius: float, date: int) -> str:
+    """Stiffness, and damping with its kind. hertz multiplies by √(R ζ), viscoelastic by the mass as well."""
+    root = math.sqrt(radius)
+    if (of := parameters_of(law, linear=("k", "c"))) is not None:
+        return f"hooke {of[0]!r} {of[1]!r} damping velocity"
+    if (of := parameters_of(law, kuwabara_kono=("k", "c"))) is not None:
+        return f"hertz {of[0] / root!r} {of[1] / (mass * root)!r} damping viscoelastic"
+    if (of := parameters_of(law, tsuji=("k", "c"))) is not None:
+        if of[1] == 0:
+            return f"hertz {of[0] / root!r} 0 damping velocity"
+        return f"hertz {of[0] / root!r} {tsuji_damping(of[1] / math.sqrt(mass * of[0]), date)}"
+    raise NotRun(f"pair_style granular has no {law.name} law")
+
+
+def tangential(case: Case, law: Law, radius: float) -> str:
+    """Damping is given as a share of the normal one; rolling as a force with the arm R."""
+    t = case.tangential
+    if t is None:
+        return "tangential linear_nohistory 0 0"
+    if t.torsion:
+        raise NotRun("twisting sds has a limit that does not grow with the contact, marshall a spring of its own")
+    damping = law.parameters.get("c", 0) if law.name == "linear" else 0
+    if t.c_t > 0 and damping == 0:
+        raise NotRun("tangential damping is a share of the normal one, which is 0 or changes during the contact")
+    share = t.c_t / damping if t.c_t > 0 else 0
+    if t.name == "mindlin":
+        words = f"tangential mindlin_rescale/force {t.k_t / math.sqrt(radius)!r} {share!r} {t.mu!r}"
+    else:
+        words = f"tangential linear_history {t.k_t!r} {share!r} {t.mu!r}"
+    if t.mu_rolling > 0:
+        words += f" rolling sds {t.k_rolling / radius**2!r} {t.c_rolling / radius**2!r} {t.mu_rolling!r}"
+    return words
+
+
+def contact(case: Case, law: Law, a: Body, b, date: int) -> str:
+    radius = effective_radius(a, b)
+    limit = " limit_damping" if law.end == "force" else ""
+    return f"{normal(law, effective_mass(a, b), radius, date)} {tangential(case, law, radius)}{limit}"
+
+
+# --- Deck ------------------------------------------------------------------------------------------------------------
+def pairs(case: Case, date: int) -> str:
+    """Each body has a type of its own. What never meets (a body itself) gets a contact that does."""
+    bodies, count = case.bodies, len(case.bodies)
+    if not case.law:
+        return f"pair_style granular\npair_coeff * * {contact(case, case.wall_law, bodies[0], None, date)}\n"
+    text = f"pair_style granular\npair_coeff * * {contact(case, case.law, bodies[0], bodies[1], date)}\n"
+    return text + "".join(f"pair_coeff {i + 1} {j + 1} {contact(case, case.law, bodies[i], bodies[j], date)}\n"
+                          for i in range(count) for j in range(i + 1, count))
+
+
+def walls(case: Case, date: int) -> str:
+    text = "".join(f"group body{i + 1} id {i + 1}\n" for i in range(len(case.bodies))) if case.walls else ""
+    for k, wall in enumerate(case.walls):
+        axis, sign = axis_of(wall)
+        place = f"{wall.point[axis]!r} NULL" if sign > 0 else f"NULL {wall.point[axis]!r}"
+        for i, body in enumerate(case.bodies):
+            text += (f"fix wall{k + 1}_{i + 1} body{i + 1} wall/gran granular "
+                     f"{contact(case, case.wall_law, body, None, date)} {'xyz'[axis]}plane {place}\n")
+    return text
+
+
+def grains(case: Case, n: int) -> str:
+    text = ""
+    for i, b in enumerate(case.start(n), 1):
+        x, v, w = b.position, b.velocity, b.spin
+        text += (f"create_atoms {i} single {x[0]!r} {x[1]!r} {x[2]!r}\n"
+                 f"set atom {i} diameter {2 * b.radius!r}\nset atom {i} mass {b.mass!r}\n"
+                 f"set atom {i} vx {v[0]!r} vy {v[1]!r} vz {v[2]!r}\nset atom {i} omega {w[0]!r} {w[1]!r} {w[2]!r}\n")
+    return text
+
+
+def gravity(case: Case) -> str:
+    g = case.gravity
+    size = math.sqrt(sum(x * x for x in g))
+    return f"fix gravity all gravity {size!r} vector {g[0]!r} {g[1]!r} {g[2]!r}\n" if size > 0 else ""
+
+
+def deck(case: Case, n: int, date: int) -> str:
+    half = case.half_box()
+    return f"""units si
+atom_style sphere
+atom_modify map array sort 0 0
+newton off
+comm_modify vel yes
+boundary f f f
+region box block {-half!r} {half!r} {-half!r} {half!r} {-half!r} {half!r}
+create_box {len(case.bodies)} box
+{grains(case, n)}{pairs(case, date)}{walls(case, date)}neighbor {min(b.radius for b in case.bodies)!r} bin
+neigh_modify delay 0 every 1 check yes
+timestep {case.step(n)!r}
+fix integrate all nve/sphere
+{gravity(case)}thermo 100000000
+dump path all custom {case.every(n)} path.{n} x y z vx vy vz omegax omegay omegaz fx fy fz
+dump_modify path sort id format line "{' '.join(['%.17g'] * 12)}"
+run {case.count(n)}
+"""
+
+
+def run_case(program: str, case: Case, folder: str):
+    require_solid_spheres(case)
+    with open(os.path.join(folder, "deck"), "w", encoding="utf-8") as out:
+        out.write("clear\n".join(deck(case, n, date_of(program)) for n in case.steps))
+    run_engine([program, "-in", "deck", "-log", "none"], folder)
+    return [run_of_path(case, n, read_dump(os.path.join(folder, f"path.{n}"), len(case.bodies))) for n in case.steps]
+
+
+def read_dump(name: str, bodies: int) -> Path:
+    """A header a step that ends in ITEM: ATOMS, then a line a body. LIGGGHTS writes the same."""
+    with open(name, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    path = []
+    for i in (i for i, line in enumerate(lines) if line.startswith("ITEM: ATOMS")):
+        rows = [tuple(map(float, line.split())) for line in lines[i + 1:i + 1 + bodies]]
+        if len(rows) != bodies or lines[i + 1 + bodies:i + 2 + bodies] not in ([], ["ITEM: TIMESTEP"]):
+            raise EngineFailed("a body was lost on its way")
+        path.append(Instant([State(r[0:3], r[3:6], r[6:9]) for r in rows], rows[0][9:12]))
+    return path
+
+
+if __name__ == "__main__":
+    sys.exit(main(Engine("LAMMPS", "lmp", version, one_by_one(run_case))))

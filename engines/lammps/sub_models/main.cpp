@@ -1,0 +1,54 @@
+// lammps-ricochet: LAMMPS with the granular models fractional, under the command line of `lmp`.
+
+#include "stock_library.hpp"
+
+#include <mpi.h>
+
+#include "exceptions.h"
+#include "input.h"
+#include "lammps.h"
+#include "library.h"
+
+#include <cstdio>
+#include <exception>
+#include <memory>
+
+namespace {
+
+// The sub-models are compiled against the headers of one version, and headers of others look the same to a linker.
+bool is_of_version(const LAMMPS_NS::LAMMPS& lmp, int built_for) {
+  if (lmp.num_ver == built_for) return true;
+  std::fprintf(stderr, "lammps-ricochet: was built for LAMMPS %d, and finds the library of %d: build it again\n",
+               built_for, lmp.num_ver);
+  return false;
+}
+
+int run(int argc, char** argv) {
+  try {
+    const auto lmp = std::make_unique<LAMMPS_NS::LAMMPS>(argc, argv, MPI_COMM_WORLD);
+    if (!is_of_version(*lmp, RICOCHET_LAMMPS_VERSION)) return 4;
+    ricochet::lammps::add_compute(*lmp);
+    lmp->input->file();
+    return 0;
+  } catch (const LAMMPS_NS::LAMMPSAbortException& one_rank) {
+    MPI_Abort(one_rank.get_universe(), 1);
+  } catch (const LAMMPS_NS::LAMMPSException&) {
+    return 1;  // it has said why
+  } catch (const std::exception& other) {
+    std::fprintf(stderr, "lammps-ricochet: %s\n", other.what());
+    MPI_Abort(MPI_COMM_WORLD, 4);
+  }
+  return 4;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  const int code = run(argc, argv);
+  lammps_kokkos_finalize();
+  lammps_python_finalize();
+  MPI_Barrier(MPI_COMM_WORLD);
+  MPI_Finalize();
+  return code;
+}
