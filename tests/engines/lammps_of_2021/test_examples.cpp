@@ -1,4 +1,4 @@
-#include "deck.hpp"
+#include "../lammps/deck.hpp"
 
 #include <catch2/catch.hpp>
 
