@@ -122,21 +122,22 @@ struct RuleOfEngines {
   Rule rule;
 };
 const RuleOfEngines rules[] = {
-    {"the sliding limit holds for spring and dashpot together, the strain kept as asked", {}},
+    {"a contact that slides keeps a dashpot of the whole slip, its spring is set so that both make the limit", {}},
     {"the sliding limit holds for the tangential spring alone, and a contact that slides has no dashpot",
      {true, Rule::Keeps::asked}},
     {"the tangential spring keeps its strain while the contact grows and shrinks", {true, Rule::Keeps::strain}},
     {"the tangential spring keeps its force while the contact grows and shrinks", {true, Rule::Keeps::force}},
-    {"the tangential spring keeps its strain while the contact grows and shrinks, its limit with the dashpot",
+    {"the tangential spring keeps its strain while the contact grows and shrinks, and its limit is the dashpot's, too",
      {false, Rule::Keeps::strain}},
-    {"the tangential spring keeps its force while the contact grows and shrinks, its limit with the dashpot",
+    {"the tangential spring keeps its force while the contact grows and shrinks, and its limit is the dashpot's, too",
      {false, Rule::Keeps::force}}};
 
 /// Greatest difference of the engine's runs from those stepped here; nothing where they can't be.
-std::optional<double> misfit_of_steps(const Case& as, const CaseResult& result, const CaseGrade& grade) {
+std::optional<double> misfit_of_steps(const Case& as, Velocities velocities, const CaseResult& result,
+                                      const CaseGrade& grade) {
   double worst = 0;
-  for (std::size_t i = 0; i < result.runs.size(); ++i) {
-    const std::optional<Run> run = half_step_run(as, result.runs[i].steps);
+  for (std::size_t i = 0; i < result.runs.size() && worst <= repeated_to; ++i) {
+    const std::optional<Run> run = half_step_run(as, result.runs[i].steps, velocities);
     if (!run) return std::nullopt;
     for (const Graded& g : grade.answers) {
       if (!g.answer.required) continue;
@@ -145,6 +146,19 @@ std::optional<double> misfit_of_steps(const Case& as, const CaseResult& result, 
     }
   }
   return worst;
+}
+
+/// The stepping that repeats every run, of the two.
+std::optional<Cause> repeated_by(const Case& as, const std::string& what, const CaseResult& result,
+                                 const CaseGrade& grade) {
+  for (const Velocities velocities : {Velocities::at_steps, Velocities::behind}) {
+    const auto misfit = misfit_of_steps(as, velocities, result, grade);
+    if (misfit && *misfit <= repeated_to)
+      return Cause{fmt::format("{}forces take the velocity of half a step before: every run repeated here to {}", what,
+                               console::significant(*misfit, 1)),
+                   true, *misfit};
+  }
+  return std::nullopt;
 }
 
 /// Greatest difference of the engine's limits from a solution's numbers, or nothing where one is farther than it may be.
@@ -171,33 +185,35 @@ std::optional<Solution> solution_of(const Case& c) {
 
 ContactEnd end_of(const Case& c) { return (c.law ? c.law : c.wall_law).value().end; }
 
-constexpr const char* half_step = "forces take the velocity of half a step before: every run repeated here to ";
+/// The rule, at the place in the overlap where it fits best.
+std::optional<Cause> explained_by(const RuleOfEngines& of, const Case& as, const CaseGrade& grade) {
+  std::optional<Cause> best;
+  for (const double place : {0.0, 0.5, 1.0}) {
+    const auto solution = by_rule(as, of.rule, place);
+    const auto off = solution ? misfit_of_limits(*solution, grade) : std::nullopt;
+    if (off && (!best || *off < best->misfit)) best = Cause{of.what, false, *off};
+  }
+  return best;
+}
 
 }  // namespace
 
 std::vector<Cause> causes(const Answered& answered, const CaseResult& result, const CaseGrade& grade) {
   std::vector<Cause> repeated, limits;
   if (grade.verdict == Verdict::exact || grade.verdict == Verdict::not_run) return {};
-  const auto steps = misfit_of_steps(answered.of, result, grade);
-  if (steps && *steps <= repeated_to)
-    repeated.push_back({fmt::format("{}{}", half_step, console::significant(*steps, 1)), true, *steps});
+  if (const auto cause = repeated_by(answered.of, "", result, grade)) repeated.push_back(*cause);
   if (grade.verdict == Verdict::converges) return repeated;
   for (const Misunderstanding& m : misunderstandings(end_of(answered.of))) {
     const std::optional<Case> other = m.of(answered.of);
     if (!other) continue;
-    const auto misfit = misfit_of_steps(*other, result, grade);
-    if (misfit && *misfit <= repeated_to)
-      repeated.push_back({fmt::format("{}; {}{}", m.what, half_step, console::significant(*misfit, 1)), true, *misfit});
-    if (grade.verdict != Verdict::elsewhere) continue;
-    const auto solution = solution_of(*other);
+    if (const auto cause = repeated_by(*other, m.what + "; ", result, grade)) repeated.push_back(*cause);
+    const auto solution = grade.verdict == Verdict::elsewhere ? solution_of(*other) : std::nullopt;
     const auto off = solution ? misfit_of_limits(*solution, grade) : std::nullopt;
     if (off) limits.push_back({m.what, false, *off});
   }
-  for (const RuleOfEngines& r : rules) {
-    const auto solution = grade.verdict == Verdict::elsewhere ? by_rule(answered.of, r.rule) : std::nullopt;
-    const auto off = solution ? misfit_of_limits(*solution, grade) : std::nullopt;
-    if (off) limits.push_back({r.what, false, *off});
-  }
+  for (const RuleOfEngines& r : rules)
+    if (const auto cause = grade.verdict == Verdict::elsewhere ? explained_by(r, answered.of, grade) : std::nullopt)
+      limits.push_back(*cause);
   std::stable_sort(limits.begin(), limits.end(), [](const Cause& a, const Cause& b) { return a.misfit < b.misfit; });
   if (!repeated.empty()) return repeated;
   return limits;

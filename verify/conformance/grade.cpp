@@ -49,7 +49,7 @@ void observe(Graded& g) {
 Verdict verdict_of(const Graded& g) {
   const bool exact = std::all_of(g.error.begin(), g.error.end(), [&](double d) { return std::abs(d) <= g.floor; });
   if (exact) return Verdict::exact;
-  if (!g.limit.settles || g.limit.uncertainty > least_known) return Verdict::does_not_converge;
+  if (g.limit.uncertainty > least_known) return Verdict::does_not_converge;
   return std::abs(g.limit.value) <= g.limit.uncertainty + g.floor ? Verdict::converges : Verdict::elsewhere;
 }
 

@@ -25,7 +25,7 @@ inline constexpr std::size_t fewest_runs = 4;
 /// What rounding may make of an end state over a run of some 10⁵ steps, as a share of the scale.
 inline constexpr double rounding = 1e-10;
 /// A limit that is not known to this share of the scale is none.
-inline constexpr double least_known = 0.02;
+inline constexpr double least_known = 0.01;
 
 /// Where values go as the step goes to 0.
 struct Limit {
@@ -44,8 +44,9 @@ struct Limit {
 /// fall so by chance, the uncertainty is twice the last.
 /// Otherwise the limit is the finest value, and errors of first order, |d(h) − L| ≤ K h, are off by K h there: K is
 /// taken as twice the greatest |d(h) − d(finest)|/h.
-/// It settles unless the greater of the last two differences of neighbours, over h, exceeds four times the greatest of
-/// those before: over three halvings that is an order below 1/3 (0: they do not fall at all, 8 times).
+/// Values that do not settle (the greater of the last two differences of neighbours, over h, exceeds four times the
+/// greatest of those before: over three halvings that is an order below 1/3) are taken to wander on: the limit is known
+/// to twice the greater of those two differences.
 Limit limit_of(const std::vector<double>& h, const std::vector<double>& values, double noise);
 
 /// One answer against what an engine gave. Errors are shares of the answer's scale.

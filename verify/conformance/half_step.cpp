@@ -84,7 +84,7 @@ struct Oblique {
 double inverse(double mass) { return std::isfinite(mass) ? 1 / mass : 0; }
 
 /// Velocity Verlet by half-step velocities, from the touch on; the turning of the normal left out.
-Oblique stepped(const Case& of, Oblique at, const Meeting& meeting, Rule rule, double step) {
+Oblique stepped(const Case& of, Oblique at, const Meeting& meeting, Rule rule, double place, double step) {
   const TangentialContact& contact = of.tangential.value();
   const double mu = contact.friction.mu_static(), mass_eff = 1 / (inverse(at.mass[0]) + inverse(at.mass[1]));
   double overlap = -0.5 * step * at.rate;
@@ -94,12 +94,14 @@ Oblique stepped(const Case& of, Oblique at, const Meeting& meeting, Rule rule, d
     if (overlap <= 0) continue;
     double repulsion = force(meeting.law, {overlap, at.rate}, 0).value();
     if (meeting.end == ContactEnd::force) repulsion = std::max(0.0, repulsion);
-    const double slip = at.across[0] - at.across[1] - at.radius[0] * at.turning[0] - at.radius[1] * at.turning[1];
+    const double arms[2]{at.radius[0] - place * overlap, at.radius[1] - place * overlap};
+    const double slip = at.across[0] - at.across[1] - arms[0] * at.turning[0] - arms[1] * at.turning[1];
     const double traction = slider.act(spring(contact.law, overlap), slip, step, mu * std::max(0.0, repulsion));
     at.rate -= repulsion / mass_eff * step;
     for (std::size_t k = 0; k < 2; ++k) {
       at.across[k] += (k == 0 ? traction : -traction) * inverse(at.mass[k]) * step;
-      if (at.mass[k] < HUGE_VAL) at.turning[k] -= traction / (0.4 * at.mass[k] * at.radius[k]) * step;
+      const double inertia = 0.4 * at.mass[k] * at.radius[k] * at.radius[k];
+      if (at.mass[k] < HUGE_VAL) at.turning[k] -= arms[k] * traction / inertia * step;
     }
   }
   return at;
@@ -107,22 +109,22 @@ Oblique stepped(const Case& of, Oblique at, const Meeting& meeting, Rule rule, d
 
 }  // namespace
 
-std::optional<Run> half_step_run(const Case& of, int steps) {
+std::optional<Run> half_step_run(const Case& of, int steps, Velocities velocities) {
   if (of.tangential || !is_stepped(of.law) || !is_stepped(of.wall_law)) return std::nullopt;
   Run run{steps, of.start(steps)};
   std::vector<Pair> pairs = pairs_of(of);
-  const double h = of.step(steps);
+  const double h = of.step(steps), before = velocities == Velocities::at_steps ? 0.5 * h : h;
   std::vector<Vec3> acceleration = accelerations(of, run.bodies, pairs);
   for (long n = 0; n < of.steps_of_run(steps); ++n) {
-    kick(run.bodies, acceleration, 0.5 * h);
+    kick(run.bodies, acceleration, before);
     for (Body& b : run.bodies) b.position += h * b.velocity;
     acceleration = accelerations(of, run.bodies, pairs);
-    kick(run.bodies, acceleration, 0.5 * h);
+    kick(run.bodies, acceleration, h - before);
   }
   return run;
 }
 
-std::optional<Solution> by_rule(const Case& of, Rule rule) {
+std::optional<Solution> by_rule(const Case& of, Rule rule, double place) {
   const Meeting& meeting = of.walls.empty() ? of.law.value() : of.wall_law.value();
   const bool sprung = of.tangential && compliant(of.tangential->law) && of.solver == one_collision;
   if (!sprung || of.tangential->torsion.limit != Torsion::Limit::none || !is_stepped(meeting)) return std::nullopt;
@@ -139,8 +141,8 @@ std::optional<Solution> by_rule(const Case& of, Rule rule) {
     at.rate = -a.velocity.x;
   }
   constexpr int fine = 20000;
-  const Oblique coarse = stepped(of, at, meeting, rule, of.time_scale / fine),
-                finer = stepped(of, at, meeting, rule, of.time_scale / (2 * fine));
+  const Oblique coarse = stepped(of, at, meeting, rule, place, of.time_scale / fine),
+                finer = stepped(of, at, meeting, rule, place, of.time_scale / (2 * fine));
   Solution solution{.bodies = of.bodies, .error = 1e-6};
   const auto limit = [](double c, double f) { return 2 * f - c; };
   const double centre =
