@@ -161,7 +161,7 @@ std::optional<Cause> repeated_by(const Case& as, const std::string& what, const 
   return std::nullopt;
 }
 
-/// Greatest difference of the engine's limits from a solution's numbers, or nothing where one is farther than it may be.
+/// Greatest difference of the engine's limits from a solution's numbers; nothing where one is farther than it may be.
 std::optional<double> misfit_of_limits(const Solution& other, const CaseGrade& grade) {
   double worst = 0;
   for (const Graded& g : grade.answers) {

@@ -39,8 +39,8 @@ struct Limit {
 ///
 /// Smooth: Richardson's extrapolations of neighbours by first order, L₁, L₂, …, have differences D that fall by 0.35 or
 /// more each time h is halved (what is left of an error a h + b h² falls by 1/4, of a h + b h^{3/2} by 0.354; of one
-/// that is irregular, a(h) h with any |a| ≤ K, by 1/2 at best), the last two of them, or are below `noise`. What is then
-/// still to come is less than 0.35/(1 − 0.35) = 0.54 of the last difference if it goes on so; as two differences may
+/// that is irregular, a(h) h with any |a| ≤ K, by 1/2 at best), the last two of them, or are below `noise`. What is
+/// then still to come is less than 0.35/(1 − 0.35) = 0.54 of the last difference if it goes on so; as two differences may
 /// fall so by chance, the uncertainty is twice the last.
 /// Otherwise the limit is the finest value, and errors of first order, |d(h) − L| ≤ K h, are off by K h there: K is
 /// taken as twice the greatest |d(h) − d(finest)|/h.
