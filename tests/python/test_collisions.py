@@ -105,6 +105,7 @@ def test_gross_sliding_by_coulombs_law():
     assert out.velocity_i[0] == pytest.approx(3 - change, rel=1e-9)
     assert abs(out.spin_i[1]) * radius == pytest.approx(2.5 * change, rel=1e-9)
     assert out.impulse_ratio == pytest.approx(mu, rel=1e-9) and out.en == pytest.approx(0.8, rel=1e-9)
+    assert ricochet.Friction(mu).mu_dynamic == mu and ricochet.Friction(mu, 0.05).mu_dynamic == 0.05
     assert sum(out.lost.values()) == pytest.approx(
         0.5 * mass * (10 - out.velocity_i @ out.velocity_i) - 0.2 * mass * radius**2 * out.spin_i @ out.spin_i, rel=1e-8
     )
