@@ -1,4 +1,4 @@
-#include "deck.hpp"
+#include "../lammps/deck.hpp"
 
 namespace engines {
 
@@ -10,31 +10,35 @@ std::string engine_command(int ranks) {
 
 std::filesystem::path runs_folder() { return RICOCHET_LAMMPS_RUNS; }
 
-std::string preamble(const Box& box, const std::string& processors) {
-  return "units si\natom_style sphere\natom_modify map array\nboundary " + std::string(box.boundary) +
-         "\nnewton off\ncomm_modify vel yes\nprocessors " + processors + "\n";
-}
-
-std::string neighbours(const std::string& skin, const std::string& rebuilds) {
-  return "neighbor " + skin + " bin\nneigh_modify " + rebuilds + "\n";
-}
-
 std::string target(double tcol, double en) { return "target " + number(tcol) + " " + number(en); }
 
-std::string pair_style(const std::string& law, const std::string& settings) {
-  return "pair_style fractional " + settings + "\npair_coeff * * " + law + "\n";
+std::string parameters(double k, double c, double alpha) { return number(k) + " " + number(c) + " " + number(alpha); }
+
+std::string memory(double time) { return "memory " + number(time); }
+
+std::string tallied() { return "energy yes"; }
+
+std::string pair_style(const std::string& settings) { return "pair_style fractional " + settings + "\n"; }
+
+std::string pair_coeff(const std::string& types, const std::string& law, const std::string&) {
+  return "pair_coeff " + types + " " + law + "\n";
 }
 
-std::string walls(const std::string& axis, const std::string& low, const std::string& high, const std::string& law,
-                  const std::string& settings) {
-  return "fix wall_" + axis + " all wall/fractional " + axis + " " + low + " " + high + " " + law + " " + settings +
-         "\n";
+std::string wall(const std::string& name, const std::string& group, const std::string& planes, const std::string& law,
+                 const std::string& settings) {
+  return "fix " + name + " " + group + " wall/fractional " + planes + " " + law + " " + settings + "\n";
 }
 
-std::string move(double dt) { return "fix move all nve/sphere\ntimestep " + number(dt) + "\n"; }
+std::string after_restart(const std::string&) { return ""; }
 
-std::string dump(const std::string& file, int every) { return dump_command(file, every, "format line"); }
-
-std::string run(int steps) { return "run " + std::to_string(steps) + "\n"; }
+std::string energies() {
+  std::string text = "compute pairs all pair fractional\n";
+  for (const auto& [name, place] : {std::pair{"stored", "[1]"}, {"lost", "[2]"}}) {
+    text += std::string("variable ") + name + " equal c_pairs" + place;
+    for (const char* axis : {"x", "y", "z"}) text += std::string("+f_wall_") + axis + "plane" + place;
+    text += "\n";
+  }
+  return text;
+}
 
 }  // namespace engines

@@ -1,4 +1,4 @@
-#include "deck.hpp"
+#include "../lammps/deck.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -92,6 +92,6 @@ TEST_CASE("soft contacts, and contacts that lost their memory, are told of") {
 
 TEST_CASE("after `clear` the styles are there again") {
   const Workplace place("clear");
-  const std::string deck = with(place, with_law(target(tcol, en)) + walls("xplane", "NULL", "0.01", target(tcol, en)));
+  const std::string deck = with(place, with_law(target(tcol, en)) + planes("xplane", "NULL", "0.01", target(tcol, en)));
   REQUIRE(place.run(deck + run(1) + "clear\n" + deck + run(1)) == 0);
 }

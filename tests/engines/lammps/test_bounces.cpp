@@ -25,10 +25,10 @@ std::vector<Frame> run_bounces(bool between_grains, int ranks) {
     grains.push_back({.position = {3 * radius + room, 1e-3, 0}});
   }
   const double duration = room / speed * (1 - std::pow(1 / en, bounces)) / (1 - 1 / en) + (bounces + 0.7) * tcol;
-  const std::string obstacles =
-      between_grains ? "group fixed id 2 3\nfix hold fixed freeze\n" : walls("xplane", "0", "0.0032", target(tcol, en));
+  const std::string obstacles = between_grains ? "group fixed id 2 3\nfix hold fixed freeze\n"
+                                               : planes("xplane", "0", "0.0032", target(tcol, en));
   REQUIRE(place.run(preamble(box, ranks == 2 ? "2 1 1" : "1 1 1") + place.create(grains, box) + neighbours("0.001") +
-                        pair_style(target(tcol, en)) + obstacles + move(dt) + dump("dump") +
+                        one_law(target(tcol, en)) + obstacles + move(dt) + dump("dump") +
                         run(static_cast<int>(duration / dt)),
                     ranks) == 0);
   CHECK(place.output().find("Neighbor list builds = 0") != std::string::npos);

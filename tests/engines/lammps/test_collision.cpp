@@ -18,20 +18,20 @@ const std::vector<double> restitutions{0.1, 0.3, 0.5, 0.8, 0.95};
 
 // Every type meets itself at its own restitution.
 std::string types_of_pairs() {
-  std::string text = pair_style(target(tcol, 0.5));
+  std::string text = one_law(target(tcol, 0.5));
   for (std::size_t m = 0; m < restitutions.size(); ++m) {
     const std::string type = std::to_string(m + 1);
-    text += "pair_coeff " + type + " " + type + " " + target(tcol, restitutions[m]) + "\n";
+    text += pair_coeff(type + " " + type, target(tcol, restitutions[m]));
   }
   return text;
 }
 
 std::string types_of_walls() {
-  std::string text = pair_style(target(tcol, 0.5));
+  std::string text = one_law(target(tcol, 0.5));
   for (std::size_t m = 0; m < restitutions.size(); ++m) {
     const std::string type = std::to_string(m + 1);
-    text += "group of_" + type + " type " + type + "\nfix wall_" + type + " of_" + type +
-            " wall/fractional xplane 0 NULL " + target(tcol, restitutions[m]) + "\n";
+    text += "group of_" + type + " type " + type + "\n" +
+            wall("wall_" + type, "of_" + type, "xplane 0 NULL", target(tcol, restitutions[m]));
   }
   return text;
 }
@@ -68,8 +68,8 @@ TEST_CASE("k with c and α gives the collision that `collide` finds") {
     const Workplace place("parameters_" + std::to_string(steps));
     const double dt = exact.tcol / steps;
     const int count = static_cast<int>(2e-4 / 0.5 / dt) + steps + steps / 5;
-    REQUIRE(place.run(preamble(box) + place.create({a, b}, box) + neighbours() + pair_style("5225 0.297 0.3197") +
-                      move(dt) + dump("dump", count) + run(count)) == 0);
+    REQUIRE(place.run(preamble(box) + place.create({a, b}, box) + neighbours() +
+                      one_law(parameters(5225, 0.297, 0.3197)) + move(dt) + dump("dump", count) + run(count)) == 0);
     const auto v = place.frames("dump").back().velocity;
     errors.push_back(std::fabs((v[1][0] - v[0][0]) / 0.5 / exact.en - 1));
   }

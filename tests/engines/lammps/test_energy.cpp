@@ -28,25 +28,22 @@ std::vector<Grain> two_types() {
 }
 
 std::string laws() {
-  return "pair_style fractional energy yes\npair_coeff 1 1 " + target(tcol, 0.5) + "\npair_coeff 2 2 " +
-         target(tcol, 0.8) + "\npair_coeff 1 2 " + target(tcol, 0.6) + "\n";
+  std::string text = pair_style(tallied());
+  for (const auto& [types, en] : {std::pair{"1 1", 0.5}, {"2 2", 0.8}, {"1 2", 0.6}})
+    text += pair_coeff(types, target(tcol, en), tallied());
+  return text;
 }
 
 std::string box_walls() {
   const std::string law = target(tcol, 0.5), width = number(pouring::width);
-  return walls("xplane", "0", width, law, "energy yes") + walls("yplane", "0", width, law, "energy yes") +
-         walls("zplane", "0", "NULL", law, "energy yes");
+  return planes("xplane", "0", width, law, tallied()) + planes("yplane", "0", width, law, tallied()) +
+         planes("zplane", "0", "NULL", law, tallied());
 }
 
 std::string sums() {
-  std::string text =
-      "compute pairs all pair fractional\nvariable mgz atom mass*9.81*z\ncompute heights all reduce sum "
-      "v_mgz\ncompute kinetic all ke\n";
-  for (const char* n : {"1", "2"})
-    text += std::string("variable e") + n + " equal c_pairs[" + n + "]+f_wall_xplane[" + n + "]+f_wall_yplane[" + n +
-            "]+f_wall_zplane[" + n + "]\n";
-  return text +
-         "thermo_style custom step c_kinetic c_heights v_e1 v_e2\nthermo_modify norm no format float %.15g\nthermo " +
+  return "variable mgz atom mass*9.81*z\ncompute heights all reduce sum v_mgz\ncompute kinetic all ke\n" + energies() +
+         "thermo_style custom step c_kinetic c_heights v_stored v_lost\n"
+         "thermo_modify norm no format float %.15g\nthermo " +
          std::to_string(every) + "\n";
 }
 

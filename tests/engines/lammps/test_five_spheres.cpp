@@ -53,9 +53,9 @@ std::vector<Vector> velocities_in_cluster(double alpha, double step) {
 std::vector<Vector> velocities_in_engine(const Motion& motion, double dt) {
   const int steps = static_cast<int>(std::lround(duration / dt));
   const Workplace place(std::string("five_spheres_") + motion.name + "_" + std::to_string(steps));
-  const std::string law = number(k) + " " + number(c) + " " + number(motion.alpha);
+  const std::string law = parameters(k, c, motion.alpha);
   REQUIRE(place.run(preamble(box) + place.create(five_spheres(), box) + neighbours("0.005") +
-                    pair_style(law, "memory " + number(duration)) + move(dt) + dump("dump", steps) + run(steps)) == 0);
+                    one_law(law, memory(duration)) + move(dt) + dump("dump", steps) + run(steps)) == 0);
   return place.frames("dump").back().velocity;
 }
 

@@ -16,7 +16,7 @@ std::string on_ranks(int ranks) { return preamble(box, ranks == 2 ? "2 1 1" : "1
 
 // The list is made anew at every step: each step may move a grain to the other rank.
 std::string physics() {
-  return neighbours("0.0005", "every 1 delay 0 check no") + pair_style(target(tcol, en)) + move(dt);
+  return neighbours("0.0005", "every 1 delay 0 check no") + one_law(target(tcol, en)) + move(dt);
 }
 
 std::vector<Frame> run_pair(const std::string& name, const std::vector<Grain>& grains, int ranks) {
@@ -60,7 +60,7 @@ std::vector<Grain> grains_in_contact() {
   return grains;
 }
 
-const std::string plane = walls("zplane", "-0.01", "NULL", target(tcol, en));
+const std::string plane = planes("zplane", "-0.01", "NULL", target(tcol, en));
 
 /// The steps from the cut on, of a run on `before` ranks that goes on, from its restart file, on `after` ranks.
 std::vector<Frame> run_with_cut(int before, int after, int cut, const std::string& restated) {
@@ -101,7 +101,8 @@ TEST_CASE("a run restarted in the middle of contacts goes on as the whole one, o
   }
 }
 
-TEST_CASE("a restart file brings the pair style, its coefficients and its kernel along") {
-  const auto rest = run_with_cut(1, 1, 30, neighbours("0.0005", "every 1 delay 0 check no") + move(dt));
+TEST_CASE("a restart file brings the laws and their kernel along") {
+  const auto rest = run_with_cut(
+      1, 1, 30, neighbours("0.0005", "every 1 delay 0 check no") + after_restart(one_law(target(tcol, en))) + move(dt));
   CHECK(largest_difference(run_whole(30), rest) == 0);
 }
