@@ -57,7 +57,7 @@ def rows_of(case: Case, runs: Sequence[Run]) -> List[List[str]]:
         return "" if number is None else repr(float(number))
 
     return [[case.name, str(run.steps), str(i + 1), *(text(x) for part in body for x in part),
-             text(run.contact_time), text(run.max_overlap), ""]
+             text(run.contact_time), text(run.max_overlap), run.note]
             for run in runs for i, body in enumerate(run.bodies)]
 
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# debian13.sh COMMAND [ARGUMENT…]    runs the command, for which `lmp` is the LAMMPS of Debian 13 (4 Feb 2025)
+# debian13.sh COMMAND [ARGUMENT…]    runs the command, for which `lmp` is the LAMMPS of Debian 13 (4 Feb 2025), and `yade`
+#                                    its Yade (2025.2), where that is installed
 # debian13.sh --make                 makes the system that it runs in: needs root, debootstrap and a Debian mirror;
 #                                    minutes
 # The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout. Where there is
@@ -20,7 +21,7 @@ if [[ ${1:-} == --make ]]; then
     echo "debian13.sh: debootstrap is missing: apt-get install debootstrap" >&2
     exit 4
   fi
-  exec debootstrap --variant=minbase --include=lammps trixie "$system" "$mirror"
+  exec debootstrap --variant=minbase --include=lammps,yade trixie "$system" "$mirror"
 fi
 [[ -x $system/usr/bin/lmp ]] || skip "no LAMMPS of Debian 13 in $system; tests/engines/debian13.sh --make makes it"
 ((EUID == 0)) || skip "only root can enter the system in $system"
@@ -30,9 +31,12 @@ said=$(chroot "$system" lmp -h 2>/dev/null || true)
 programs=$(mktemp -d) scratch=$(mktemp -d "$system/tmp/ricochet.XXXXXX")
 trap 'rm -rf "$programs" "$scratch"' EXIT
 # The programs' scratch folders are inside the system, so that the engine finds them under the rest of their path.
-cat >"$programs/lmp" <<WRAPPER
+for program in lmp yade; do
+  [[ -x $system/usr/bin/$program ]] || continue
+  cat >"$programs/$program" <<WRAPPER
 #!/bin/sh
-exec chroot "$system" /bin/sh -c 'cd "\$1" && shift && exec lmp "\$@"' sh "\${PWD#$system}" "\$@"
+exec chroot "$system" /bin/sh -c 'cd "\$1" && shift && exec $program "\$@"' sh "\${PWD#$system}" "\$@"
 WRAPPER
-chmod +x "$programs/lmp"
+  chmod +x "$programs/$program"
+done
 TMPDIR=$scratch PATH=$programs:$PATH "$@"
