@@ -1,16 +1,15 @@
 // What the program makes of a command line and of files, against what the same asks of the library.
+#include "calibrate/job_from.hpp"
 #include "console/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 #include <console/csv.hpp>
-#include <job.hpp>
+#include <fit_run.hpp>
+#include <materials.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/scale_and_loss.hpp>
 #include <target_rows.hpp>
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -20,15 +19,6 @@ using namespace ricochet;
 using namespace ricochet::calibration;
 
 namespace {
-
-Job job_from(std::vector<std::string> words) {
-  std::reverse(words.begin(), words.end());  // as CLI11 wants them
-  CLI::App app("tested", "calibrate");
-  Options options;
-  add_options(app, options);
-  app.parse(words);
-  return job_of(options);
-}
 
 double mass(double radius, double density) { return 4.0 / 3 * std::numbers::pi * std::pow(radius, 3) * density; }
 
@@ -98,4 +88,57 @@ TEST_CASE("words that a spreadsheet would run do not come out of a file of targe
     CHECK(answer.find(",,,\"bad input: law = ") != std::string::npos);
   }
   CHECK(answered("tcol,en,law\n1e-4,0.5,steel\n").find(",steel,") != std::string::npos);
+}
+
+TEST_CASE("the bodies of a fit are those of its rows, two equal spheres or one on a wall") {
+  const double radius = 2e-3, density = 2500;
+  for (const bool wall : {true, false}) {
+    const double share = wall ? 1 : 0.5;
+    std::vector<Measurement> data;
+    for (const double v : {0.1, 0.3, 1.0})
+      data.push_back({.velocity = v,
+                      .en = 0.8,
+                      .en_sigma = 0.01,
+                      .tcol = 1e-4,
+                      .tcol_sigma = 1e-6,
+                      .mass_eff = share * mass(radius, density),
+                      .radius_eff = share * radius});
+    Options options;
+    options.asked.wall = wall;
+    const FitRequest request{.law = kind_of<Linear>, .mass_eff = data[0].mass_eff, .radius_eff = data[0].radius_eff};
+    const auto report = run_of_fits(options, {fit_law(request, data)}, data);
+    REQUIRE(report);
+    CAPTURE(wall);
+    CHECK(report->job.known.impact.mass_eff == Approx(share * mass(radius, density)).epsilon(1e-12));
+    CHECK(report->job.radius_eff.value() == Approx(share * radius).epsilon(1e-12));
+    CHECK(report->job.density.value() == Approx(density).epsilon(1e-12));
+    CHECK(report->job.known.impact.velocity == 0.3);
+  }
+}
+
+TEST_CASE("a file of materials: a pair's own time before that of all, and what a linear spring shares with Hertz's") {
+  const auto read = [](const std::string& more, const std::string& materials, const std::string& pairs) {
+    return read_materials("m.json", "{\"law\": {\"name\": \"linear\"}, \"velocity\": 0.4, " + more +
+                                        "\"materials\": {" + materials + "}, \"pairs\": [" + pairs + "]}");
+  };
+  const std::string grain = R"("a": {"density": 2500, "radius": 2e-3})", plate = R"("w": {"wall": true})";
+  const Materials timed = read("\"tcol\": 1e-4, ", grain + ", " + plate,
+                               R"({"between": ["a", "a"], "en": 0.5}, {"between": ["w", "a"], "en": 1, "tcol": 2e-4})");
+  CHECK(timed.pairs.at(0).tcol == 1e-4);
+  CHECK(timed.pairs.at(1).tcol == 2e-4);
+
+  // Without loss: Hertz's greatest overlap (5 m v²/(4 K))^{2/5}, K = (4/3) E* √R, and his time 2.94 of it over v.
+  const double young = 1e7, poisson = 0.3, v = 0.4, m = mass(2e-3, 2500) / 2;
+  const double stiffness = 4.0 / 3 * young / (2 * (1 - poisson * poisson)) * std::sqrt(1e-3);
+  const double overlap = std::pow(5 * m * v * v / (4 * stiffness), 0.4);
+  const double time = 2 * 0.4 * std::beta(0.4, 0.5) * overlap / v;
+  for (const std::string match : {"time", "overlap"}) {
+    const Materials solids = read("\"match\": \"" + match + "\", ",
+                                  R"("a": {"density": 2500, "radius": 2e-3, "young": 1e7, "poisson": 0.3})",
+                                  R"({"between": ["a", "a"], "en": 1})");
+    const auto found = std::get<PairResult>(calibrate_pairs(solids).at(0));
+    CAPTURE(match);
+    if (match == "time") CHECK(found.found.achieved.tcol == Approx(time).epsilon(1e-9));
+    if (match == "overlap") CHECK(found.found.achieved.max_overlap == Approx(overlap).epsilon(1e-9));
+  }
 }

@@ -427,3 +427,29 @@ TEST_CASE("a spin too small to matter leaves a shared limit to the sliding") {
     CHECK(shared.lost.sum() == Approx(alone.lost.sum()).margin(1e-6 * energy(at_angle(degrees))));
   }
 }
+
+TEST_CASE("two bodies whose springs share the disc's limit turn each other as action and reaction, rolling too") {
+  const ObliqueImpact impact{.normal = {0, 0, 1},
+                             .i = {1.4, 6.4, {-0.3, 0.2, 0.4}, {0.05, -0.1, -0.02}},
+                             .j = {0.7, 4.0, {0.1, 0.1, 0}, {-0.06, 0.03, 0.04}}};
+  TangentialContact contact{LinearTangential(0.3, 0.02), Friction(0.5, 0.5, 0)};
+  contact.torsion = {Torsion::Limit::disc, {0.3, 0.01}};
+  contact.rolling = {0.05, {0.1, 0.02}};
+  const auto out = collide(Linear(1, 0.1), contact, impact);
+  REQUIRE(out.separated());
+  const ObliqueImpact later = after(impact, out);
+  CHECK(std::abs(energy(impact) - energy(later) - out.lost.sum()) < 1e-6 * energy(impact));
+  CHECK(out.lost.rolling > 0);
+  // About the contact point, a radius from either centre.
+  const auto angular = [](const ObliqueImpact& o) {
+    return cross({0, 0, -o.i.radius}, o.i.mass * o.i.velocity) + inertia(o.i) * o.i.spin +
+           cross({0, 0, o.j.radius}, o.j.mass * o.j.velocity) + inertia(o.j) * o.j.spin;
+  };
+  CHECK(norm(angular(later) - angular(impact)) < 1e-9 * norm(angular(impact)));
+  CHECK(norm(impact.i.mass * (later.i.velocity - impact.i.velocity) +
+             impact.j.mass * (later.j.velocity - impact.j.velocity)) < 1e-12);
+  const auto other = collide(Linear(1, 0.1), contact, {-impact.normal, impact.j, impact.i});
+  CHECK(norm(other.velocity_j - out.velocity_i) < 1e-9);
+  CHECK(norm(other.spin_j - out.spin_i) < 1e-9);
+  CHECK(norm(other.spin_i - out.spin_j) < 1e-9);
+}

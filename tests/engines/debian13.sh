@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# debian13.sh COMMAND [ARGUMENT…]    runs the command, for which `lmp` is the LAMMPS of Debian 13 (4 Feb 2025), and `yade`
-#                                    its Yade (2025.2), where that is installed
+# debian13.sh COMMAND [ARGUMENT…]    runs the command, for which `lmp` is the LAMMPS of Debian 13 (4 Feb 2025) and,
+#                                    where it is installed, `yade` its Yade (2025.2.0)
 # debian13.sh --make                 makes the system that it runs in: needs root, debootstrap and a Debian mirror;
 #                                    minutes
 # The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout. Where there is

@@ -1,6 +1,13 @@
 #include "../../verify/studies/convergence.hpp"
 
+#include <verify/registry.hpp>
+
+#include <CLI/CLI.hpp>
 #include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 using namespace ricochet;
 using namespace ricochet::verify;
@@ -74,4 +81,31 @@ TEST_CASE("what is exact must be exact, and a NaN is never") {
   c.errors[0] = std::nan("");
   CHECK_FALSE(c.pass());
   CHECK_FALSE(all_pass(to_gates({c})));
+}
+
+TEST_CASE("verify orders: a mesh graded towards the start gives L1 and the trapezoid rule their orders back") {
+  // t^{3/2} at α = 0.5: order 1 at all nodes of a uniform mesh; graded 2 − α = 1.5 of L1, 2 of the trapezoid rule.
+  const auto studies = all_studies();
+  const auto orders = std::find_if(studies.begin(), studies.end(), [](const auto& s) { return s->name() == "orders"; });
+  REQUIRE(orders != studies.end());
+  CLI::App app;
+  (*orders)->add_options(app);
+  std::vector<std::string> words{"--alpha", "0.5", "--steps", "64,128,256,512,1024"};
+  for (const char* scheme :
+       {"L1, uniform", "L1, graded", "trapezoid derivative, uniform", "trapezoid derivative, graded"})
+    words.insert(words.end(), {"--scheme", scheme});
+  std::reverse(words.begin(), words.end());  // as CLI11 wants them
+  app.parse(words);
+  const StudyResult result = (*orders)->run({.thorough = true});
+  CHECK(result.gates.size() == 4);
+  for (const Gate& gate : result.gates) {
+    INFO(gate.name << " = " << gate.value);
+    CHECK(gate.pass);
+  }
+  REQUIRE(result.rows.size() == 4);
+  for (const auto& row : result.rows) {
+    const std::string scheme = row["scheme"];
+    const double full = scheme.starts_with("L1") ? 1.5 : 2;
+    CHECK(row["stated_order"] == (scheme.ends_with("graded") ? full : 1.0));
+  }
 }

@@ -1,11 +1,19 @@
 #include "../../verify/studies/cluster/convergence.hpp"
+#include "../../verify/studies/cluster/figures.hpp"
 #include "../../verify/studies/cluster/run.hpp"
+#include "../../verify/studies/cluster/sign.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <numbers>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
 
 using namespace ricochet;
+using namespace ricochet::verify;
 using namespace ricochet::verify::cluster;
 
 namespace {
@@ -74,4 +82,57 @@ TEST_CASE("the bounds of an order are those of a power law with the others added
   CHECK(velocity_orders(0.97, 50, 0).first == Approx(2 - 0.97).epsilon(1e-14));
   CHECK(velocity_orders(0.97, 0, 0) == std::pair(2.0, 2.0));
   CHECK(std::isnan(velocity_orders(0.97, 0, 1.5).first));
+}
+
+namespace {
+
+std::vector<std::string> fields_of(const std::string& csv, std::size_t line) {
+  std::istringstream lines(csv);
+  std::string text, field;
+  for (std::size_t i = 0; i <= line; ++i) std::getline(lines, text);
+  std::vector<std::string> fields;
+  for (std::istringstream row(text); std::getline(row, field, ',');) fields.push_back(field);
+  return fields;
+}
+
+}  // namespace
+
+TEST_CASE("Figs. 7 and 8 draw the columns that they name, and tell the two states apart") {
+  Run strong = run_of_three(), weak = run_of_three();
+  strong.law = {0.01}, weak.law = {0.97};
+  for (Sample& s : strong.samples) {
+    s.position[2] = {1, 2 + s.time, 3 + s.time};
+    s.velocity[0] = {4, 5, 6};
+  }
+  const auto ways = trajectories(strong, weak);
+  const auto names = fields_of(ways.data[0].bytes, 0), first = fields_of(ways.data[0].bytes, 1);
+  REQUIRE(names.size() == 1 + 5 * 9);
+  REQUIRE(first.size() == names.size());
+  // Sphere 3 is drawn from two columns of the file: those of its y and z.
+  std::smatch columns;
+  REQUIRE(std::regex_search(ways.script, columns,
+                            std::regex("'cluster-strong.csv' skip 1 using (\\d+):(\\d+) with [^\n]*title 'sphere 3'")));
+  const std::size_t y = std::stoul(columns[1].str()), z = std::stoul(columns[2].str());
+  CHECK(names.at(y - 1) == "y3 [m]");
+  CHECK(names.at(z - 1) == "z3 [m]");
+  CHECK(first.at(y - 1) == "2");
+  CHECK(first.at(z - 1) == "3");
+
+  const auto speeds = velocities(strong, weak);
+  const std::string& spins = speeds.data[2].bytes;  // of three samples in each state; ω_ξ is the time
+  CHECK(fields_of(spins, 1) == std::vector<std::string>{"1", "1", "0", "0", "strong"});
+  CHECK(fields_of(spins, 6).back() == "weak");
+  CHECK(speeds.finding.find("8.77 m/s after strong and at 0 m/s after weak") != std::string::npos);  // √77
+}
+
+TEST_CASE("(61) creeps as far as its slope says, the rigid law not at all") {
+  const auto cases = sign_cases();
+  CHECK(all_pass(sign_gates(cases)));
+  CHECK(cases[0].slip_left == 0);
+  // Sticking on the slope takes (2/7) tan θ/μ of the limit; of ε₂ a tenth bears nothing.
+  const double share = 2.0 / 7 * std::tan(std::numbers::pi / 18) / 0.5;
+  for (std::size_t i = 1; i < cases.size(); ++i) {
+    CHECK(cases[i].slip_left == Approx((0.1 + 0.9 * share) * cases[i].eps2).epsilon(1e-6));
+    CHECK(cases[i].creep == cases[i].slip_left);
+  }
 }

@@ -6,8 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <memory>
+#include <regex>
+#include <utility>
 
 using namespace ricochet;
 using namespace ricochet::verify;
@@ -17,7 +22,8 @@ namespace {
 /// A study whose gate passes as long as the value given on the command line stays small.
 class Toy : public Study {
  public:
-  std::string name() const override { return "toy"; }
+  explicit Toy(std::string name = "toy", double x = 0.5) : name_(std::move(name)), x_(x) {}
+  std::string name() const override { return name_; }
   std::string title() const override { return "All about x"; }
   std::string claim() const override { return "x is small"; }
   void add_options(CLI::App& app) override { app.add_option("--x", x_, "a number"); }
@@ -32,7 +38,8 @@ class Toy : public Study {
   }
 
  private:
-  double x_ = 0.5;
+  std::string name_;
+  double x_;
 };
 
 struct Ran {
@@ -40,16 +47,21 @@ struct Ran {
   std::string out;
 };
 
-/// Runs `verify` with one toy study and the given arguments, the output through -o.
-Ran run(std::vector<const char*> arguments) {
+/// Runs `verify` with the given studies and arguments, the output through -o.
+Ran run(const Studies& studies, std::vector<const char*> arguments) {
   const TemporaryFolder folder;
   const std::string file = folder / "out";
-  Studies studies;
-  studies.push_back(std::make_unique<Toy>());
   arguments.insert(arguments.begin(), "verify");
   arguments.insert(arguments.end(), {"-o", file.c_str()});
   const int code = run_verify(studies, {}, static_cast<int>(arguments.size()), arguments.data());
   return {code, read_file(file)};
+}
+
+/// With one toy study.
+Ran run(std::vector<const char*> arguments) {
+  Studies studies;
+  studies.push_back(std::make_unique<Toy>());
+  return run(studies, std::move(arguments));
 }
 
 }  // namespace
@@ -126,6 +138,33 @@ TEST_CASE("all runs every study thoroughly and writes the report") {
         false);
 }
 
+TEST_CASE("all fails where one study does, wherever it stands, and its CSV has every cell of every study") {
+  for (const double first : {0.5, 2.0}) {
+    Studies studies;
+    studies.push_back(std::make_unique<Toy>("one", first));
+    studies.push_back(std::make_unique<Toy>("two", 2.5 - first));
+    const Ran ran = run(studies, {"all", "--quick", "--format", "csv"});
+    CHECK(ran.code == 1);
+    const std::string x = first == 2 ? "2" : "0.5", other = first == 2 ? "0.5" : "2";
+    CHECK(ran.out == "study,table,row,column,unit,value\none,A table,1,x,m," + x +
+                         "\none,A table,1,thorough,,false\ntwo,A table,1,x,m," + other +
+                         "\ntwo,A table,1,thorough,,false\n");
+  }
+}
+
+TEST_CASE("the facts say what was run, and the time that a reproducible build sets") {
+  ::setenv("SOURCE_DATE_EPOCH", "86400", 1);  // the second day of 1970
+  const Facts all = facts(true), quick = facts(false);
+  ::unsetenv("SOURCE_DATE_EPOCH");
+  const auto fact = [](const Facts& of, const std::string& what) {
+    return std::find_if(of.begin(), of.end(), [&](const auto& f) { return f.first == what; })->second;
+  };
+  CHECK(fact(all, "time") == "1970-01-02 00:00 UTC");
+  CHECK(fact(all, "extent") == "every study, thoroughly");
+  CHECK(fact(quick, "extent") == "every study, without what takes long (--quick)");
+  CHECK(fact(all, "version").starts_with("Ricochet "));
+}
+
 TEST_CASE("the report is one page that loads nothing, with what failed before what passed") {
   Toy toy;
   StudyResult result = toy.run({});
@@ -141,6 +180,12 @@ TEST_CASE("the report is one page that loads nothing, with what failed before wh
   const std::string page = report_page(outcomes, {{"version", "Ricochet 1"}});
   CHECK(page.find("http") == std::string::npos);
   CHECK(page.find("3 gates passed, 1 failed, 1 skipped; 1 study broke down.") != std::string::npos);
+  // Of the overview, as it is read: passed, failed, skipped.
+  const auto line = page.find("<td>failed</td>");
+  REQUIRE(line != std::string::npos);
+  std::string numbers = page.substr(line, page.find("x is 0.5.", line) - line);
+  numbers = std::regex_replace(numbers, std::regex("<[^>]*>"), " ");
+  CHECK(std::regex_match(numbers, std::regex(" *failed +3 +1 +1 *")));
   CHECK(page.find("Skipped, as it is not installed here: an engine.") != std::string::npos);
   CHECK(page.find("<a href=\"#study-toy\">All about x</a>") < page.find("<h2 id=\"study-toy\">All about x "));
   CHECK(page.find("How this page was made</h2>") > page.find("<h2 id=\"study-toy\">"));

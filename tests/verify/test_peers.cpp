@@ -58,6 +58,8 @@ TEST_CASE("verify peers covers 0.05 to 0.99 for every peer, and names where it r
   std::size_t asked = 0, of_form = 0;
   double greatest = 0;
   for (const auto& row : result.rows) {
+    CHECK(row["en_asked"].get<double>() + row["error"].get<double>() ==
+          Approx(row["en_obtained"].get<double>()).epsilon(1e-15).margin(1e-16));
     if (row["peer"] == form) {
       ++of_form;
       continue;

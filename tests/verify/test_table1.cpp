@@ -2,9 +2,14 @@
 #include "../../verify/studies/table1/rows.hpp"
 #include "../../verify/studies/table1/variants.hpp"
 
+#include <ricochet/collision/fractional_contact.hpp>
+
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <variant>
 
 using namespace ricochet;
 using namespace ricochet::verify;
@@ -69,4 +74,23 @@ TEST_CASE("the rows of Table I end where the force has fallen to zero, or at the
     CHECK(row.exact.time == row.time);
     if (row.line.steps == 40) CHECK(row.left.rate / row.exact.rate == Approx(1).epsilon(0.1));
   }
+}
+
+TEST_CASE("the table of Table I shows the printed line as it is printed, beside the closed form") {
+  const auto lines = printed_lines();
+  const auto rows = table_of(rows_of(lines)).rows();
+  const auto first = std::find_if(rows.begin(), rows.end(), [](const auto& r) {
+    return std::get<std::string>(r[3]) == "paper" && std::get<std::string>(r[2]) == "limit";
+  });
+  REQUIRE(first != rows.end());
+  const Instant& printed =
+      std::find_if(lines.begin(), lines.end(), [](const Line& l) { return l.steps == 0; })->printed;
+  CHECK(std::get<double>((*first)[4]) == Approx(1e6 * printed.overlap));
+  CHECK(std::get<double>((*first)[5]) == printed.rate);
+  CHECK(std::get<double>((*first)[6]) == printed.force);
+  // What follows is the closed form at the time at which its force is 0: e_n of α = 0.2, at 1 m/s.
+  const auto& exact = *(first + 1);
+  CHECK(std::get<std::string>(exact[3]) == "exact");
+  CHECK(std::get<double>(exact[5]) == Approx(-fractional_contact(0.2).en).epsilon(1e-9));
+  CHECK(std::abs(std::get<double>(exact[6])) < 1e-9);
 }

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <regex>
+#include <string>
 
 using namespace ricochet;
 using namespace ricochet::verify;
@@ -89,6 +91,23 @@ TEST_CASE("one figure a scheme that has an order, with the stated slope in every
   CHECK(figures[0].script.find("set label '2' at") != std::string::npos);
   CHECK(figures[1].script.find("set label '1' at") != std::string::npos);
   CHECK(convergence_figures({case_of("C", "t", 0.1, std::nullopt)}, "toy").empty());
+  CHECK(figures[0].data[0].bytes.find("\n\"t\",0.5,10,0.01\n") != std::string::npos);
+  CHECK(figures[0].finding == "In 2 cases the observed order is within 0.00 of the stated one.");
+}
+
+TEST_CASE("the triangle of a stated order has that slope, and stands below the curve") {
+  // From 10 steps on, over the two next: from (n1, top) straight down, and along to n2.
+  const double order = 2;
+  const auto figure = convergence_figures({case_of("A", "t", 0.1, order)}, "toy").front();
+  std::smatch corner;
+  REQUIRE(std::regex_search(figure.script, corner,
+                            std::regex("set object polygon from ([^,]+),([^ ]+) to ([^,]+),([^ ]+) to ([^,]+),")));
+  const auto number = [&](std::size_t i) { return std::stod(corner[i].str()); };
+  const double n1 = number(1), top = number(2), bottom = number(4), n2 = number(5);
+  CHECK(number(3) == n1);
+  CHECK(n2 > n1);
+  CHECK(std::log(top / bottom) / std::log(n2 / n1) == Approx(order).epsilon(1e-12));
+  CHECK(top < std::pow(n1, -order));
 }
 
 TEST_CASE("what a user asks for is what is measured, and a wrong word is refused") {

@@ -138,14 +138,17 @@ double PairFractional::mass_eff(int i, int j) const {
 void PairFractional::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   model_.begin_step();
-  const double* const* x = atom->x;
+  const double* const* const x = atom->x;
+  const double* const radius = atom->radius;
   for (int n = 0; n < list->inum; ++n) {
-    const int i = list->ilist[n];
-    for (int m = 0; m < list->numneigh[i]; ++m) {
-      const int j = list->firstneigh[i][m] & NEIGHMASK;
-      const double apart[3] = {x[i][0] - x[j][0], x[i][1] - x[j][1], x[i][2] - x[j][2]};
+    const int i = list->ilist[n], count = list->numneigh[i];
+    const int* const neighbours = list->firstneigh[i];
+    const double xi = x[i][0], yi = x[i][1], zi = x[i][2], ri = radius[i];
+    for (int m = 0; m < count; ++m) {
+      const int j = neighbours[m] & NEIGHMASK;
+      const double apart[3] = {xi - x[j][0], yi - x[j][1], zi - x[j][2]};
       const double rsq = apart[0] * apart[0] + apart[1] * apart[1] + apart[2] * apart[2];
-      const double reach = atom->radius[i] + atom->radius[j];
+      const double reach = ri + radius[j];
       if (rsq < reach * reach) pass(i, j, apart, rsq);
     }
   }
@@ -156,22 +159,23 @@ void PairFractional::compute(int eflag, int vflag) {
 // With newton off a pair of two ranks is stepped by both, with the same numbers; one within a rank once, and its memory
 // stands with both grains.
 void PairFractional::pass(int i, int j, const double* apart, double rsq) {
-  const int* const type = atom->type;
+  const LAMMPS_NS::Atom& grains = *atom;
   const double r = std::sqrt(rsq);
-  const double *vi = atom->v[i], *vj = atom->v[j];
+  const double *vi = grains.v[i], *vj = grains.v[j], ri = grains.radius[i], rj = grains.radius[j];
   const double parting = ((vi[0] - vj[0]) * apart[0] + (vi[1] - vj[1]) * apart[1] + (vi[2] - vj[2]) * apart[2]) / r;
-  const bool own = j < atom->nlocal;
-  auto& history = contacts_->at(i, atom->tag[j]);
-  const double force = model_.force({kind(type[i], type[j]), mass_eff(i, j), atom->radius[i] + atom->radius[j] - r,
-                                     -parting, std::min(atom->radius[i], atom->radius[j]), own ? 1 : 0.5},
-                                    history);
-  if (own) contacts_->at(j, atom->tag[i]) = history;
+  const bool own = j < grains.nlocal;
+  auto& history = contacts_->at(i, grains.tag[j]);
+  const double force = model_.force(
+      {kind(grains.type[i], grains.type[j]), mass_eff(i, j), ri + rj - r, -parting, std::min(ri, rj), own ? 1 : 0.5},
+      history);
+  if (own) contacts_->at(j, grains.tag[i]) = history;
   const double over_r = force / r;
+  double *fi = grains.f[i], *fj = grains.f[j];
   for (int d = 0; d < 3; ++d) {
-    atom->f[i][d] += over_r * apart[d];
-    if (own) atom->f[j][d] -= over_r * apart[d];
+    fi[d] += over_r * apart[d];
+    if (own) fj[d] -= over_r * apart[d];
   }
-  if (evflag != 0) ev_tally(i, j, atom->nlocal, 0, 0, 0, over_r, apart[0], apart[1], apart[2]);
+  if (evflag != 0) ev_tally(i, j, grains.nlocal, 0, 0, 0, over_r, apart[0], apart[1], apart[2]);
 }
 
 double PairFractional::single(int i, int j, int itype, int jtype, double rsq, double, double, double& force_over_r) {
