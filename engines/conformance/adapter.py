@@ -37,6 +37,8 @@ def run_engine(arguments: Sequence[str], folder: str, typed: str = "", **environ
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=TIME_LIMIT)
     except subprocess.TimeoutExpired as late:
         raise EngineFailed(f"did not end within {TIME_LIMIT} s") from late
+    except OSError as error:
+        raise EngineFailed(f"{arguments[0]}: {error.strerror}") from error
     said = ran.stdout.decode("utf-8", "replace")
     if ran.returncode != 0:
         words = last_words(said).replace(os.path.join(folder, ""), "")

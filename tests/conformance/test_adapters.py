@@ -315,6 +315,8 @@ def test_an_engine_that_hangs_is_stopped(tmp_path, monkeypatch):
     monkeypatch.setattr(adapter, "TIME_LIMIT", 0.2)
     with pytest.raises(outcome.EngineFailed, match="did not end within 0.2 s"):
         adapter.run_engine(["/bin/sleep", "5"], str(tmp_path))
+    with pytest.raises(outcome.EngineFailed, match="/no-such-engine: No such file"):
+        adapter.run_engine(["/no-such-engine"], str(tmp_path))
 
 
 def test_last_words_are_the_last_error():
