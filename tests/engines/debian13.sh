@@ -1,42 +1,114 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# debian13.sh COMMAND [ARGUMENT…]    runs the command, for which `lmp` is the LAMMPS of Debian 13 (4 Feb 2025) and,
-#                                    where it is installed, `yade` its Yade (2025.2.0)
-# debian13.sh --make                 makes the system that it runs in: needs root, debootstrap and a Debian mirror;
-#                                    minutes
-# The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout. Where there is
-# none the test is skipped (exit code 77) and says so.
+# debian13.sh verify VERIFY   runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025)
+# debian13.sh driver TEST     builds lammps-ricochet there and runs this test program with it
+# debian13.sh lmp COMMAND…    runs a command for which `lmp` is that LAMMPS
+# debian13.sh yade COMMAND…   runs a command for which `yade` is that of Debian 13 (2025.2.0), where it is installed there
+# debian13.sh shell COMMAND   runs a command in the checkout's copy there, once the driver is built: for benchmarks
+# The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout, and stays for
+# the next run. Where it is missing it is made, which takes root, debootstrap, a Debian mirror ($RICOCHET_MIRROR) and
+# some minutes; where it cannot be made the test is skipped (exit code 77) and says why.
 set -euo pipefail
 system=${RICOCHET_DEBIAN13:-/var/tmp/ricochet-debian-13}
 mirror=${RICOCHET_MIRROR:-http://deb.debian.org/debian}
+root=$(cd "$(dirname "$0")/../.." && pwd)
+task=${1:-} argument=${2:-}
+readonly for_driver=(lammps liblammps-dev g++ cmake ninja-build dpkg-dev openmpi-bin libopenmpi-dev
+  libboost-dev libeigen3-dev libgsl-dev libfmt-dev)
 
 skip() {
   echo "SKIPPED: $*"
   exit 77
 }
 
-if [[ ${1:-} == --make ]]; then
-  if ! command -v debootstrap >/dev/null; then
-    echo "debian13.sh: debootstrap is missing: apt-get install debootstrap" >&2
-    exit 4
-  fi
-  exec debootstrap --variant=minbase --include=lammps,yade trixie "$system" "$mirror"
-fi
-[[ -x $system/usr/bin/lmp ]] || skip "no LAMMPS of Debian 13 in $system; tests/engines/debian13.sh --make makes it"
-((EUID == 0)) || skip "only root can enter the system in $system"
-said=$(chroot "$system" lmp -h 2>/dev/null || true)
-[[ $said == *"4 Feb 2025"* ]] || skip "$system/usr/bin/lmp does not run here, or is of another version"
+inside() { # COMMAND: in the system
+  chroot "$system" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
+    RICOCHET_MIRROR="$mirror" bash -c "$1"
+}
 
-programs=$(mktemp -d) scratch=$(mktemp -d "$system/tmp/ricochet.XXXXXX")
-trap 'rm -rf "$programs" "$scratch"' EXIT
+make_system() {
+  [[ -e $system/etc/debian_version ]] || {
+    command -v debootstrap >/dev/null || skip "no Debian 13 in $system, and debootstrap is not installed to make it"
+    rm -rf "$system"
+    debootstrap --variant=minbase trixie "$system" "$mirror" >"$log" 2>&1 ||
+      { rm -rf "$system"; skip "debootstrap failed: $(tail -n 1 "$log")"; }
+  }
+  [[ $(inside '. /etc/os-release; echo $VERSION_CODENAME') == trixie ]] || skip "$system is not Debian 13"
+}
+
+install_packages() { # PACKAGE…
+  inside "dpkg-query -W -f '\${db:Status-Status}\n' $* 2>&1 | grep -qvx installed" || return 0
+  cp /etc/resolv.conf "$system/etc/resolv.conf"
+  inside "apt-get -q update && apt-get -q install -y --no-install-recommends $*" >"$log" 2>&1 ||
+    skip "no packages for the system in $system: $(tail -n 1 "$log")"
+}
+
+# What git tracks goes to the system as it is here, uncommitted changes and all; its build stays from run to run.
+build_driver() {
+  local checkout=$system/root/ricochet
+  mkdir -p "$checkout"
+  (cd "$root" && git ls-files -z -co --exclude-standard | xargs -0 ls -d 2>/dev/null | tar -T - -c) >"$log.tar"
+  find "$checkout" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
+  tar -x -C "$checkout" <"$log.tar"
+  inside 'cd /root/ricochet && cmake -S . -B build/lammps -G Ninja -DCMAKE_BUILD_TYPE=Release -DRICOCHET_PROGRAMS=OFF \
+      -DRICOCHET_TESTS=OFF -DRICOCHET_INSTALL=OFF -DRICOCHET_LAMMPS=ON &&
+    cmake --build build/lammps --target lammps-ricochet -j "$(nproc)"' >"$log" 2>&1 || { tail -n 40 "$log"; exit 1; }
+}
+
+((EUID == 0)) || skip "only root can enter the system in $system"
+[[ $task =~ ^(verify|driver|lmp|yade|shell)$ && $argument ]] || { sed -n 's/^# //; 3,8p' "$0" >&2; exit 2; }
+mkdir -p "$(dirname "$system")"
+exec 9>"$system.lock"
+flock 9
+work=$(mktemp -d) log=$work/log mounted=
+tidy_up() {
+  rm -rf "$work" ${scratch:+"$scratch"}
+  if [[ $mounted ]]; then umount "$system/proc"; fi
+}
+trap tidy_up EXIT
+make_system
+# Open MPI looks for its processes there.
+if ! mountpoint -q "$system/proc"; then mount -t proc proc "$system/proc" && mounted=yes; fi
+case $task in
+  verify | lmp) install_packages lammps ;;
+  yade) [[ -x $system/usr/bin/yade ]] || skip "no Yade in $system, nearly 300 MB: apt-get install yade in it" ;;
+  *) install_packages "${for_driver[@]}" ;;
+esac
+[[ $task == yade || $(inside 'lmp -h' 2>/dev/null || true) == *"4 Feb 2025"* ]] ||
+  skip "$system/usr/bin/lmp does not run here, or is of another version"
+
 # The programs' scratch folders are inside the system, so that the engine finds them under the rest of their path.
-for program in lmp yade; do
-  [[ -x $system/usr/bin/$program ]] || continue
-  cat >"$programs/$program" <<WRAPPER
+scratch=$(mktemp -d "$system/tmp/ricochet.XXXXXX")
+write_wrapper() { # NAME COMMAND: runs it in the present folder, seen from inside
+  cat >"$work/$1" <<WRAPPER
 #!/bin/sh
-exec chroot "$system" /bin/sh -c 'cd "\$1" && shift && exec $program "\$@"' sh "\${PWD#$system}" "\$@"
+exec chroot "$system" /usr/bin/env PATH=/usr/bin:/bin LANG=C.UTF-8 \
+  /bin/sh -c 'cd "\$1" && shift && $2' sh "\${PWD#$system}" "\$@"
 WRAPPER
-  chmod +x "$programs/$program"
-done
-TMPDIR=$scratch PATH=$programs:$PATH "$@"
+  chmod +x "$work/$1"
+}
+case $task in
+  verify)
+    write_wrapper lmp 'exec lmp "$@"'
+    TMPDIR=$scratch PATH=$work:$PATH "$(realpath "$argument")" engines --engine lammps --require lammps
+    ;;
+  lmp | yade)
+    write_wrapper "$task" "exec $task \"\$@\""
+    shift
+    TMPDIR=$scratch PATH=$work:$PATH "$@"
+    ;;
+  driver)
+    build_driver
+    write_wrapper run 'ranks=$1 && shift && driver=/root/ricochet/build/lammps/bin/lammps-ricochet
+      [ "$ranks" = 1 ] && exec "$driver" "$@"
+      exec mpirun --allow-run-as-root --oversubscribe -np "$ranks" "$driver" "$@"'
+    export RICOCHET_LAMMPS_RUN=$work/run RICOCHET_LAMMPS_RUNS=$scratch
+    shift
+    "$@"
+    ;;
+  shell)
+    build_driver
+    inside "cd /root/ricochet && $argument"
+    ;;
+esac
