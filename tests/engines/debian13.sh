@@ -4,7 +4,7 @@
 # debian13.sh verify VERIFY   runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025)
 # debian13.sh driver TEST     builds lammps-ricochet there and runs this test program with it
 # debian13.sh lmp COMMAND…    runs a command for which `lmp` is that LAMMPS
-# debian13.sh yade COMMAND…   runs a command for which `yade` is that of Debian 13 (2025.2.0), where it is installed there
+# debian13.sh yade COMMAND…   runs a command for which `yade` is that of Debian 13 (2025.2.0), if it is installed there
 # debian13.sh shell COMMAND   runs a command in the checkout's copy there, once the driver is built: for benchmarks
 # The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout, and stays for
 # the next run. Where it is missing it is made, which takes root, debootstrap, a Debian mirror ($RICOCHET_MIRROR) and
