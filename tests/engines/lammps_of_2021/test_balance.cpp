@@ -12,8 +12,8 @@ constexpr int steps = 80;
 
 const Box long_box{{-0.02, -0.01, -0.01}, {0.2, 0.01, 0.01}};
 
-/// Two grains that collide on the last of four ranks. Five others fly past them from the left, so that `fix balance`, at
-/// step 30, in the middle of the contact, gives one of the two to the first rank and one to the second. It carries
+/// Two grains that collide on the last of four ranks. Five others fly past them from the left, so that `fix balance`,
+/// at step 30, in the middle of the contact, gives one of the two to the first rank and one to the second. It carries
 /// grains over several ranks itself, before the pair style's fix has its turn.
 std::vector<Frame> run_balanced(int ranks) {
   auto grains = crossing::pair(0, 0);
