@@ -3,6 +3,8 @@
 #
 # debian13.sh verify VERIFY   runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025)
 # debian13.sh driver TEST     builds lammps-ricochet there and runs this test program with it
+# debian13.sh lmp COMMAND…    runs a command for which `lmp` is that LAMMPS
+# debian13.sh yade COMMAND…   runs a command for which `yade` is that of Debian 13 (2025.2.0), if it is installed there
 # debian13.sh shell COMMAND   runs a command in the checkout's copy there, once the driver is built: for benchmarks
 # The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout, and stays for
 # the next run. Where it is missing it is made, which takes root, debootstrap, a Debian mirror ($RICOCHET_MIRROR) and
@@ -55,7 +57,7 @@ build_driver() {
 }
 
 ((EUID == 0)) || skip "only root can enter the system in $system"
-[[ $task =~ ^(verify|driver|shell)$ && $argument ]] || { sed -n 's/^# //; 3,6p' "$0" >&2; exit 2; }
+[[ $task =~ ^(verify|driver|lmp|yade|shell)$ && $argument ]] || { sed -n 's/^# //; 3,8p' "$0" >&2; exit 2; }
 mkdir -p "$(dirname "$system")"
 exec 9>"$system.lock"
 flock 9
@@ -68,8 +70,12 @@ trap tidy_up EXIT
 make_system
 # Open MPI looks for its processes there.
 if ! mountpoint -q "$system/proc"; then mount -t proc proc "$system/proc" && mounted=yes; fi
-if [[ $task == verify ]]; then install_packages lammps; else install_packages "${for_driver[@]}"; fi
-[[ $(inside 'lmp -h' 2>/dev/null || true) == *"4 Feb 2025"* ]] ||
+case $task in
+  verify | lmp) install_packages lammps ;;
+  yade) [[ -x $system/usr/bin/yade ]] || skip "no Yade in $system, nearly 300 MB: apt-get install yade in it" ;;
+  *) install_packages "${for_driver[@]}" ;;
+esac
+[[ $task == yade || $(inside 'lmp -h' 2>/dev/null || true) == *"4 Feb 2025"* ]] ||
   skip "$system/usr/bin/lmp does not run here, or is of another version"
 
 # The programs' scratch folders are inside the system, so that the engine finds them under the rest of their path.
@@ -86,6 +92,11 @@ case $task in
   verify)
     write_wrapper lmp 'exec lmp "$@"'
     TMPDIR=$scratch PATH=$work:$PATH "$(realpath "$argument")" engines --engine lammps --require lammps
+    ;;
+  lmp | yade)
+    write_wrapper "$task" "exec $task \"\$@\""
+    shift
+    TMPDIR=$scratch PATH=$work:$PATH "$@"
     ;;
   driver)
     build_driver
