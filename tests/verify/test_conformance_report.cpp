@@ -117,14 +117,17 @@ TEST_CASE("conformance: short words for a grade") {
 TEST_CASE("conformance: tables and JSON of several engines") {
   const std::vector<EngineGrade> engines{grades_of(read_results(stored + "/lammps-29Sep2021.csv", all_cases())),
                                          grades_of(read_results(stored + "/yade-2023.02a.csv", all_cases()))};
-  const console::Table counts = engine_table(engines), beside = side_by_side(engines), all = grade_table(engines);
+  const console::Table counts = engine_table(engines), beside = side_by_side(engines, Heads::names),
+                       all = grade_table(engines);
   CHECK(counts.rows().size() == 2);
   CHECK(beside.rows().size() == all_cases().size());
   CHECK(beside.columns().size() == 3);
+  CHECK(beside.columns()[2].name == "Yade 2023.02a");
+  CHECK(side_by_side(engines, Heads::numbers).columns()[2].name == "2");
   CHECK(all.rows().size() == 2 * all_cases().size());
   for (const auto& row : counts.rows()) {
     std::int64_t sum = 0;
-    for (std::size_t i = 3; i < row.size(); ++i) sum += std::get<std::int64_t>(row[i]);
+    for (std::size_t i = 4; i < row.size(); ++i) sum += std::get<std::int64_t>(row[i]);
     CHECK(sum == static_cast<std::int64_t>(all_cases().size()));
   }
   const console::Json json = to_json(engines[1]);
