@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# debian13.sh verify VERIFY   runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025)
-# debian13.sh driver TEST     builds lammps-ricochet there and runs this test program with it
-# debian13.sh shell COMMAND   runs a command in the checkout's copy there, once the driver is built: for benchmarks
+# debian13.sh COMMAND [ARGUMENT…]            runs the command, for which `lmp` is the LAMMPS of Debian 13 (4 Feb 2025)
+#                                            and `yade` its Yade (2025.2), where that is installed
+# debian13.sh --driver COMMAND [ARGUMENT…]   builds lammps-ricochet there first: `$RICOCHET_LAMMPS_RUN RANKS -in DECK`
+#                                            runs a deck with it, in folders below $RICOCHET_LAMMPS_RUNS
+# debian13.sh --inside COMMAND               builds it too, and runs the command there, in the checkout's copy
 # The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout, and stays for
 # the next run. Where it is missing it is made, which takes root, debootstrap, a Debian mirror ($RICOCHET_MIRROR) and
 # some minutes; where it cannot be made the test is skipped (exit code 77) and says why.
@@ -11,7 +13,8 @@ set -euo pipefail
 system=${RICOCHET_DEBIAN13:-/var/tmp/ricochet-debian-13}
 mirror=${RICOCHET_MIRROR:-http://deb.debian.org/debian}
 root=$(cd "$(dirname "$0")/../.." && pwd)
-task=${1:-} argument=${2:-}
+task=run
+case ${1:-} in --driver | --inside) task=${1#--} && shift ;; esac
 readonly for_driver=(lammps liblammps-dev g++ cmake ninja-build dpkg-dev openmpi-bin libopenmpi-dev
   libboost-dev libeigen3-dev libgsl-dev libfmt-dev)
 
@@ -26,13 +29,14 @@ inside() { # COMMAND: in the system
 }
 
 make_system() {
-  [[ -e $system/etc/debian_version ]] || {
+  [[ -e $system ]] || {
     command -v debootstrap >/dev/null || skip "no Debian 13 in $system, and debootstrap is not installed to make it"
-    rm -rf "$system"
-    debootstrap --variant=minbase trixie "$system" "$mirror" >"$log" 2>&1 ||
-      { rm -rf "$system"; skip "debootstrap failed: $(tail -n 1 "$log")"; }
+    rm -rf "$system.new" # of a run that was stopped
+    debootstrap --variant=minbase trixie "$system.new" "$mirror" >"$log" 2>&1 ||
+      skip "debootstrap failed: $(tail -n 1 "$log")"
+    mv "$system.new" "$system"
   }
-  [[ $(inside '. /etc/os-release; echo $VERSION_CODENAME') == trixie ]] || skip "$system is not Debian 13"
+  [[ $(inside '. /etc/os-release; echo $VERSION_CODENAME' 2>/dev/null) == trixie ]] || skip "$system is not Debian 13"
 }
 
 install_packages() { # PACKAGE…
@@ -42,11 +46,15 @@ install_packages() { # PACKAGE…
     skip "no packages for the system in $system: $(tail -n 1 "$log")"
 }
 
-# What git tracks goes to the system as it is here, uncommitted changes and all; its build stays from run to run.
+# The sources go to the system as they are here, uncommitted changes and all; its build stays from run to run.
 build_driver() {
   local checkout=$system/root/ricochet
   mkdir -p "$checkout"
-  (cd "$root" && git ls-files -z -co --exclude-standard | xargs -0 ls -d 2>/dev/null | tar -T - -c) >"$log.tar"
+  (cd "$root" && if git rev-parse >"$log" 2>&1; then
+    git ls-files -z -co --exclude-standard | xargs -0 ls -d 2>"$log" | tar -T - -c
+  else
+    tar -c --exclude=./build .
+  fi) >"$log.tar"
   find "$checkout" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
   tar -x -C "$checkout" <"$log.tar"
   inside 'cd /root/ricochet && cmake -S . -B build/lammps -G Ninja -DCMAKE_BUILD_TYPE=Release -DRICOCHET_PROGRAMS=OFF \
@@ -55,7 +63,7 @@ build_driver() {
 }
 
 ((EUID == 0)) || skip "only root can enter the system in $system"
-[[ $task =~ ^(verify|driver|shell)$ && $argument ]] || { sed -n 's/^# //; 3,6p' "$0" >&2; exit 2; }
+(($#)) || { sed -n '4,8s/^# //p' "$0" >&2; exit 2; }
 mkdir -p "$(dirname "$system")"
 exec 9>"$system.lock"
 flock 9
@@ -68,7 +76,7 @@ trap tidy_up EXIT
 make_system
 # Open MPI looks for its processes there.
 if ! mountpoint -q "$system/proc"; then mount -t proc proc "$system/proc" && mounted=yes; fi
-if [[ $task == verify ]]; then install_packages lammps; else install_packages "${for_driver[@]}"; fi
+if [[ $task == run ]]; then install_packages lammps; else install_packages "${for_driver[@]}"; fi
 [[ $(inside 'lmp -h' 2>/dev/null || true) == *"4 Feb 2025"* ]] ||
   skip "$system/usr/bin/lmp does not run here, or is of another version"
 
@@ -83,21 +91,20 @@ WRAPPER
   chmod +x "$work/$1"
 }
 case $task in
-  verify)
+  run)
     write_wrapper lmp 'exec lmp "$@"'
-    TMPDIR=$scratch PATH=$work:$PATH "$(realpath "$argument")" engines --engine lammps --require lammps
+    if [[ -x $system/usr/bin/yade ]]; then write_wrapper yade 'exec yade "$@"'; fi
+    TMPDIR=$scratch PATH=$work:$PATH "$@"
     ;;
   driver)
     build_driver
     write_wrapper run 'ranks=$1 && shift && driver=/root/ricochet/build/lammps/bin/lammps-ricochet
       [ "$ranks" = 1 ] && exec "$driver" "$@"
       exec mpirun --allow-run-as-root --oversubscribe -np "$ranks" "$driver" "$@"'
-    export RICOCHET_LAMMPS_RUN=$work/run RICOCHET_LAMMPS_RUNS=$scratch
-    shift
-    "$@"
+    RICOCHET_LAMMPS_RUN=$work/run RICOCHET_LAMMPS_RUNS=$scratch "$@"
     ;;
-  shell)
+  inside)
     build_driver
-    inside "cd /root/ricochet && $argument"
+    inside "cd /root/ricochet && $*"
     ;;
 esac
