@@ -141,27 +141,43 @@ void GranSubModNormalOfLaw<Law>::begin_run() {
 template <class Law>
 double GranSubModNormalOfLaw<Law>::calculate_forces() {
   if (first_step != update->firststep || last_step != update->laststep) begin_run();
+  const double radius = gm->contact_type == PAIR ? std::min(gm->radi, gm->radj) : gm->radi;
+  if (watch.is_lightest(0, gm->meff) || watch.is_soft(gm->delta, radius)) watch_contact(radius);
   double* memory = &gm->history[history_index];
-  watch_contact(memory);
   const auto step = static_cast<double>(update->ntimestep);
-  // While a run is set up, and for whoever asks afterwards, the force is the one found when the step was taken.
-  if (gm->history_update && !ContactHistory::is_at(memory, step)) {
-    advance(memory, step);
-  } else if (energies.wanted && update->setupflag && !(gm->contact_type == PAIR && gm->calculate_svector)) {
-    tally(law->contact().stored_energy(memory), 0.0);
+  if (!gm->history_update || ContactHistory::is_at(memory, step)) return force_found_before(memory, step);
+  if (energies.wanted)
+    advance_and_tally(memory, step);
+  else
+    law->contact().advance(memory, step, gm->delta, -gm->vnnr, gm->dt);
+  return law->coefficient(gm->meff) * ContactHistory::repulsion(memory);
+}
+
+/* ----------------------------------------------------------------------
+   While a run is set up, and for whoever asks afterwards, the force is the
+   one found when the step was taken.
+------------------------------------------------------------------------- */
+
+template <class Law>
+double GranSubModNormalOfLaw<Law>::force_found_before(const double* memory, double step) {
+  const bool asked = gm->contact_type == PAIR && gm->calculate_svector;  // by Pair::single()
+  const bool found = ContactHistory::is_at(memory, step);
+  if (update->setupflag && !asked) {
+    if (memory[ContactHistory::stamp] != 0 && !found) hand_on(watch.look_at_memory(update->ntimestep));
+    if (energies.wanted) tally(law->contact().stored_energy(memory), 0.0);
   }
-  return ContactHistory::is_at(memory, step) ? law->coefficient(gm->meff) * ContactHistory::repulsion(memory) : 0.0;
+  return found ? law->coefficient(gm->meff) * ContactHistory::repulsion(memory) : 0.0;
 }
 
 /* ---------------------------------------------------------------------- */
 
 template <class Law>
-void GranSubModNormalOfLaw<Law>::advance(double* memory, double step) {
+void GranSubModNormalOfLaw<Law>::advance_and_tally(double* memory, double step) {
   const LocatedContact<Law>& contact = law->contact();
-  std::array<double, ContactHistory::size> before{};
-  if (energies.wanted) std::copy_n(memory, before.size(), before.begin());
+  std::array<double, ContactHistory::size> before;
+  std::copy_n(memory, before.size(), before.begin());
   contact.advance(memory, step, gm->delta, -gm->vnnr, gm->dt);
-  if (energies.wanted) tally(contact.stored_energy(memory), contact.dissipated_energy(before.data(), memory, gm->dt));
+  tally(contact.stored_energy(memory), contact.dissipated_energy(before.data(), memory, gm->dt));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -188,13 +204,9 @@ double GranSubModNormalOfLaw<Law>::linear_damping() {
 /* ---------------------------------------------------------------------- */
 
 template <class Law>
-void GranSubModNormalOfLaw<Law>::watch_contact(const double* memory) {
+void GranSubModNormalOfLaw<Law>::watch_contact(double radius) {
   if (watch.is_lightest(0, gm->meff)) hand_on(watch.look_at_step(0, gm->meff, law->tcol(gm->meff), gm->dt));
-  const double radius = gm->contact_type == PAIR ? std::min(gm->radi, gm->radj) : gm->radi;
   if (watch.is_soft(gm->delta, radius)) hand_on(watch.soft(gm->delta, radius));
-  const auto step = static_cast<double>(update->ntimestep);
-  if (update->setupflag && memory[ContactHistory::stamp] != 0 && !ContactHistory::is_at(memory, step))
-    hand_on(watch.look_at_memory(update->ntimestep));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -75,8 +75,9 @@ class GranSubModNormalOfLaw : public GranSubModNormalRemembering {
  private:
   void choose_law(double dt, double memory);
   void begin_run();
-  void watch_contact(const double* memory);
-  void advance(double* memory, double step);
+  void watch_contact(double radius);
+  double force_found_before(const double* memory, double step);
+  void advance_and_tally(double* memory, double step);
   void tally(double energy, double lost);
   void hand_on(const std::optional<Remark>&);
 
