@@ -2,7 +2,7 @@
 # transcript.sh PROGRAM TRANSCRIPT [--update]
 # Runs every "$ <program> <arguments>" line of a transcript and compares what the program says now with what is written
 # there: stdout as it is, stderr after "! ", the exit code after "? ". Digits that rounding may change are masked by
-# "#".
+# "#", and so are residuals in a CSV, which are nothing but rounding: numbers below 1e-9.
 set -u
 program=$(realpath "$1") transcript=$(realpath "$2") update=${3:-}
 folder=$(mktemp -d)
@@ -17,6 +17,7 @@ mask() {
     -e '/"(achieved|residual)": \{/,/\}/ s/: -?[0-9][0-9.e+-]*/: #/' \
     -e 's/("(evaluations|max_relative_difference)"): [0-9.e+-]+/\1: #/' \
     -e '/"(value|standard_error)":/ s/([0-9]{4}\.[0-9]{4}|[0-9]{2}\.[0-9]{6})[0-9]+/\1#/' \
+    -e 's/,-?[0-9]\.[0-9]{6,}e-1[0-9]/,#/g' \
     -e 's/([0-9]\.[0-9]{8})[0-9]+/\1#/g' \
     -e 's/[[:space:]]+$//'
 }

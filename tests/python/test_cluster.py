@@ -91,3 +91,28 @@ def test_wrong_setups_are_named():
         ricochet.Cluster([0, 0, 0], 1e-3, 1000, ricochet.Interaction(ricochet.Linear(1, 0)))
     with pytest.raises(ValueError, match="radius"):
         ricochet.Cluster([[0, 0, 0]], -1e-3, 1000, ricochet.Interaction(ricochet.Linear(1, 0)), step=1e-6)
+
+
+def test_a_drum_that_spins_drags_what_lies_in_it():
+    mass, k, mu, radius = 4 / 3 * np.pi * 1.5e-3**3 * 2500, 2000.0, 0.5, 0.01
+    contact = ricochet.TangentialContact(friction=ricochet.Friction(mu))
+
+    def velocity_and_spin(spin):
+        cluster = ricochet.Cluster(
+            [[0, 0, -(radius - 1.5e-3) - mass * 9.81 / k]],  # at rest on the spring
+            1.5e-3,
+            2500.0,
+            ricochet.Interaction(ricochet.Linear(k, 0.1), contact),
+            walls=[ricochet.Wall.cylinder((0, 0, 0), (0, 1, 0), radius, spin=spin)],
+            gravity=(0, 0, -9.81),
+            step=1e-6,
+        )
+        cluster.advance(500)
+        return cluster.velocities[0], cluster.spins[0]
+
+    # The lowest point of the wall goes at -3 radii a second along x: mu g for as long as it slides, 1.7 ms or so.
+    velocity, spin = velocity_and_spin(3.0)
+    assert velocity[0] == pytest.approx(-mu * 9.81 * 5e-4, rel=5e-3)
+    assert abs(spin[1]) * 1.5e-3 == pytest.approx(2.5 * mu * 9.81 * 5e-4, rel=5e-3)
+    velocity, spin = velocity_and_spin(0.0)
+    assert np.abs(velocity).max() < 1e-6 and np.abs(spin).max() < 1e-6

@@ -128,3 +128,28 @@ def test_a_fit_finds_the_law_that_made_the_data():
     np.testing.assert_allclose(fit.predict_en(velocity), en, rtol=1e-6)
     assert all(p.error > 0 for p in fit.parameters.values())
     assert fit.aic < ricochet.fit("linear", velocity, en, en_sigma=0.01).aic
+
+
+def test_every_column_of_a_collision_is_what_its_name_says():
+    k, velocity = 7000.0, np.array([0.1, 1.0])
+    found = ricochet.collide(ricochet.Linear(k, 0.0), velocity, MASS)
+    frequency = math.sqrt(k / MASS)
+    np.testing.assert_allclose(found.max_overlap, velocity / frequency, rtol=1e-11)
+    np.testing.assert_allclose(found.max_force, velocity * math.sqrt(k * MASS), rtol=1e-11)
+    np.testing.assert_allclose(found.time_max_overlap, math.pi / 2 / frequency, rtol=1e-9)
+    np.testing.assert_allclose(found.time_max_force, math.pi / 2 / frequency, rtol=1e-9)
+    assert np.abs(found.overlap_end).max() < 1e-15
+    # Hysteretic: the overlap left is what k1 and k2 differ by.
+    left = ricochet.collide(ricochet.Hysteretic(k, 4 * k), 1.0, MASS)
+    assert left.overlap_end == pytest.approx(0.75 * left.max_overlap, rel=1e-9)
+
+
+def test_a_fit_weighs_times_by_their_own_errors():
+    velocity, mean = np.array([0.1, 0.3, 1.0]), 1e-4
+    tcol = mean + np.array([1e-6, -1e-6, 0.0])
+    fit = ricochet.fit("linear", velocity, np.full(3, 0.8), en_sigma=0.01, tcol=tcol, tcol_sigma=1e-6)
+    assert fit.observations == 6 and fit.freedom == 4 and fit.errors_known
+    assert fit.chi2 == pytest.approx(2, rel=1e-6)  # two of the times are one standard error off their mean
+    # k of a contact ended by force that keeps 0.8 and takes the mean of the times.
+    k = ricochet.calibrate("linear", mean, 0.8).k
+    assert fit.parameters["k"].value == pytest.approx(k, rel=1e-6)

@@ -67,3 +67,19 @@ def test_a_memory_kernel_is_a_power_of_time():
     by_hand = kernel.spring + (kernel.strengths * np.exp(-np.multiply.outer(t, kernel.rates))).sum(axis=1)
     np.testing.assert_allclose(kernel(t), by_hand, rtol=1e-13)
     assert kernel.error <= 1e-9 and (kernel.strengths > 0).all()
+
+
+def test_the_extremes_of_the_fractional_collision_are_those_of_its_motion():
+    a = 0.25
+    contact = ricochet.fractional_contact(a)
+    A = contact.z_star  # in units of v0 and tcol
+    t = np.linspace(0, 1, 20001)[1:]
+    z = A * t ** (2 - a)
+    overlap = t * ricochet.mittag_leffler(2 - a, 2, -z)
+    force = A * t ** (1 - a) * ricochet.mittag_leffler(2 - a, 2 - a, -z)
+    assert contact.max_overlap == pytest.approx(overlap.max(), rel=1e-8)
+    assert contact.t_max_overlap == pytest.approx(t[overlap.argmax()], abs=1e-4)
+    assert contact.max_force == pytest.approx(force.max(), rel=1e-8)
+    assert contact.t_max_force == pytest.approx(t[force.argmax()], abs=1e-4)
+    assert contact.overlap_end == pytest.approx(overlap[-1], rel=1e-10)
+    assert contact.tau ** (2 - a) == pytest.approx(contact.z_star, rel=1e-12)

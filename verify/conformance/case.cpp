@@ -57,7 +57,8 @@ std::vector<Answer> answers(const Case& of) {
   all.reserve(of.asked.size());
   for (const Asked& asked : of.asked) {
     const double value = number(at_radius, asked);
-    all.push_back({asked, value, std::abs(number(at_point, asked) - value) + at_radius.error * asked.scale});
+    // The contact point of a wall, at r − ζ/2, is half-way to the wall itself, where some engines have it.
+    all.push_back({asked, value, 2 * std::abs(number(at_point, asked) - value) + at_radius.error * asked.scale});
   }
   return all;
 }

@@ -58,7 +58,7 @@ struct Asked {
 
 struct Answer : Asked {
   double value = 0;
-  double error = 0;  ///< it is known to this, the place of the force (radius or contact point) included
+  double error = 0;  ///< it is known to this, the place of the force (anywhere in the overlap) included
 };
 
 /// The state after `duration` by another way than time steps.
@@ -103,8 +103,8 @@ struct Case {
   std::vector<Body> start(int steps_in_scale) const;
 };
 
-/// What is asked, answered: by forces at a radius from the centres; `error` is what the contact point makes of it, and
-/// the solver's own.
+/// What is asked, answered: by forces at a radius from the centres; `error` is what another place in the overlap makes
+/// of it, and the solver's own.
 std::vector<Answer> answers(const Case& of);
 
 /// One of the numbers of a solution; `separation` and the like of its contact.

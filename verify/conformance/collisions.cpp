@@ -57,8 +57,9 @@ Solution one_collision(const Case& of, ContactArm arm) {
   solution.bodies[0] = after(first, c.velocity_i, c.spin_i);
   if (second) {
     solution.bodies[1] = after(*second, c.velocity_j, c.spin_j);
-    const Vec3 across = tangential(first.velocity - second->velocity, normal);
-    solution.error += norm(across) * c.normal.tcol / norm(branch);
+    const double before = norm(tangential(first.velocity - second->velocity, normal)),
+                 after = norm(tangential(c.velocity_i - c.velocity_j, normal));
+    solution.error += std::max(before, after) * c.normal.tcol / norm(branch);
   }
   solution.separation = separation(met);
   solution.contact_time = c.normal.tcol, solution.max_overlap = c.normal.max_overlap;

@@ -40,6 +40,12 @@ class Floor {
     roll_ = {t.rolling.spring.stiffness, t.rolling.mu * body_.radius * pressure};
   }
 
+  /// What a step that does not resolve how the spring is loaded by the first slip takes too much of the velocity [m/s].
+  double unresolved(double first_slip) const {
+    if (!(std::abs(first_slip) > 0)) return 0;
+    const double loading = slide_.limit / (slide_.stiffness * std::abs(first_slip));
+    return 0.5 * slide_.limit / body_.mass * loading;
+  }
   Vec3 forward() const { return forward_; }
   Vec3 axis() const { return cross(normal_, forward_); }
   void rate(const State& x, State& dxdt) const {
@@ -67,10 +73,12 @@ class Floor {
   Slider slide_, roll_;
 };
 
+double speed_of(const Case& of) { return std::max(norm(of.bodies.front().velocity), norm(of.gravity) * of.duration); }
+
 Solution end_of(const Case& of, ContactArm arm, double tolerance) {
   Floor floor(of, arm);
   const Body& body = of.bodies.front();
-  const double speed = std::max(norm(body.velocity), norm(of.gravity) * of.duration), length = speed * of.time_scale;
+  const double speed = speed_of(of), length = speed * of.time_scale;
   const State x{0, dot(body.velocity, floor.forward()), dot(body.spin, floor.axis()), 0, 0};
   const State scale{length, speed, speed / body.radius, length, length / body.radius};
   const State end = follow_located(floor, x, of.duration, scale, tolerance, 1e-3 * of.time_scale);
@@ -89,6 +97,10 @@ Solution on_a_floor(const Case& of, ContactArm arm) {
   const Solution coarser = end_of(of, arm, 1e-11);
   for (const Asked& asked : of.asked)
     solution.error = std::max(solution.error, std::abs(number(solution, asked) - number(coarser, asked)) / asked.scale);
+  const Floor floor(of, arm);
+  const Body& body = of.bodies.front();
+  const double slip = dot(body.velocity, floor.forward()) - body.radius * dot(body.spin, floor.axis());
+  solution.error += floor.unresolved(slip) / speed_of(of);
   return solution;
 }
 

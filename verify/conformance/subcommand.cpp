@@ -1,20 +1,34 @@
+#include "badge.hpp"
 #include "case_json.hpp"
+#include "causes.hpp"
+#include "page.hpp"
+#include "ricochet_run.hpp"
+#include "show.hpp"
 
 #include <verify/conformance.hpp>
+#include <verify/report.hpp>
 
+#include <console/exit.hpp>
 #include <console/output.hpp>
+#include <console/program.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace ricochet::verify {
 
 namespace {
 
 using namespace conformance;
+namespace fs = std::filesystem;
 using console::Table;
+
+/// The greatest error that an answer may have, as a share of its scale: what engines are off by at 100 steps is to be
+/// told from it.
+constexpr double well_known = 5e-3;
 
 Table list_of(const std::vector<Case>& cases) {
   Table table({{"case"}, {"family"}, {"title"}, {"source"}}, "Cases of contact models");
@@ -22,21 +36,46 @@ Table list_of(const std::vector<Case>& cases) {
   return table;
 }
 
-/// The greatest error that an answer may have, as a share of its scale: what engines are off by at 100 steps is to be
-/// told from it.
-constexpr double well_known = 5e-3;
-
-double worst_answer(const std::vector<Case>& cases) {
+Gate answers_are_known(const std::vector<Case>& cases) {
   double worst = 0;
   for (const Case& c : cases)
     for (const Answer& a : answers(c)) worst = std::max(worst, a.error / a.scale);
-  return worst;
+  return at_most("error of an answer, share of its scale", worst, well_known);
 }
 
-void write_cases(const std::vector<Case>& cases, const std::string& folder) {
-  console::OutputFolder files(folder);
-  for (const Case& c : cases) files.add(c.name + ".json", console::document(to_json(c)));
-  files.commit();
+/// A file itself, or the CSV files of a folder, by name.
+std::vector<std::string> files_of(const std::string& path) {
+  if (!fs::is_directory(path)) return {path};
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(path))
+    if (entry.path().extension() == ".csv") files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  if (files.empty()) throw console::BadInput("--results", path, "a results file or a folder with some");
+  return files;
+}
+
+EngineGrade graded(const std::string& file, const std::vector<Answered>& all, const std::vector<Case>& cases) {
+  EngineGrade engine{read_results(file, cases), {}};
+  for (const Answered& one : all) {
+    const CaseResult* result = engine.results.find(one.of.name);
+    engine.cases.push_back(grade(one, result));
+    if (result) engine.cases.back().causes = causes(one, *result, engine.cases.back());
+  }
+  return engine;
+}
+
+/// Right is what converges to the answer or is exact; what was not run is neither.
+void add_gates(StudyResult& result, const EngineGrade& engine) {
+  for (const CaseGrade& c : engine.cases) {
+    const std::string name = fmt::format("{}: {}", label(engine.results), c.of->name);
+    if (c.verdict == Verdict::not_run)
+      result.skipped.push_back(fmt::format("{} ({})", name, c.note));
+    else if (c.verdict == Verdict::does_not_converge)
+      result.gates.push_back(holds(name + ": converges", false));
+    else
+      result.gates.push_back(at_most(name + ": |limit|, share of scale", std::abs(c.worst()->limit.value),
+                                     c.worst()->limit.uncertainty + c.worst()->floor));
+  }
 }
 
 class Conformance : public Study {
@@ -45,23 +84,84 @@ class Conformance : public Study {
   std::string claim() const override {
     return "Engines give what the contact models give that they are asked for, in cases with exact answers";
   }
+  std::vector<console::NamedFile> inputs() const override {
+    std::vector<console::NamedFile> all;
+    for (const std::string& path : results_) all.push_back({"--results", path});
+    return all;
+  }
   void add_options(CLI::App& app) override {
     app.add_flag("--list", list_, "the cases");
-    app.add_option("--cases", folder_, "write each case as DIR/<case>.json")->type_name("DIR");
+    app.add_option("--cases", cases_folder_, "write each case as DIR/<case>.json, for engines to run")
+        ->type_name("DIR");
+    app.add_option("--results", results_,
+                   "what engines gave: files or folders of them, each case a gate; without: those that we measured, "
+                   "data/conformance, side by side")
+        ->type_name("FILE.csv|DIR");
+    app.add_option("--run", run_, "run all cases by this engine and print its results file")
+        ->check(CLI::IsMember({"ricochet"}));
+    app.add_option("--report", page_, "also write the page of all engines into this file")->type_name("FILE.html");
+    app.add_option("--badge", badges_, "also write a badge of each engine into this folder")->type_name("DIR");
   }
   StudyResult run(const RunOptions&) override {
     const std::vector<Case> cases = all_cases();
-    StudyResult result;
-    result.tables = {list_of(cases)};
-    result.gates = {at_most("error of an answer, share of its scale", worst_answer(cases), well_known)};
-    if (!folder_.empty()) write_cases(cases, folder_);
-    result.verdict = fmt::format("{} cases.", cases.size());
-    return result;
+    if (!run_.empty()) {
+      StudyResult result;
+      result.text = results_text(run_ricochet(cases));
+      return result;
+    }
+    if (list_ || !cases_folder_.empty()) return listed(cases);
+    return compared(cases);
   }
 
  private:
+  StudyResult listed(const std::vector<Case>& cases) const {
+    StudyResult result;
+    result.tables = {list_of(cases)};
+    result.gates = {answers_are_known(cases)};
+    result.verdict = fmt::format("{} cases.", cases.size());
+    if (cases_folder_.empty()) return result;
+    console::OutputFolder files(cases_folder_);
+    for (const Case& c : cases) files.add(c.name + ".json", console::document(to_json(c)));
+    files.commit();
+    return result;
+  }
+
+  StudyResult compared(const std::vector<Case>& cases) const {
+    const std::vector<Answered> all = answered(cases);
+    const bool ours = results_.empty();
+    std::vector<EngineGrade> engines;
+    for (const std::string& path : ours ? std::vector{data_folder() + "/conformance"} : results_)
+      for (const std::string& file : files_of(path)) engines.push_back(graded(file, all, cases));
+    StudyResult result;
+    result.gates = {answers_are_known(cases)};
+    result.rows = console::Json::array();
+    std::size_t runs = 0, right = 0;
+    for (const EngineGrade& e : engines) {
+      // The engines of others are measured here, not judged.
+      if (!ours) add_gates(result, e);
+      result.rows.push_back(to_json(e));
+      runs += e.run(), right += e.right();
+    }
+    result.tables = {engine_table(engines), side_by_side(engines), cause_table(engines)};
+    result.data = grade_table(engines);
+    result.verdict = fmt::format("{} engines, {} cases; {} of {} that were run converge to the answer.", engines.size(),
+                                 cases.size(), right, runs);
+    write(engines);
+    return result;
+  }
+
+  void write(const std::vector<EngineGrade>& engines) const {
+    if (!badges_.empty()) {
+      console::OutputFolder folder(badges_);
+      for (const EngineGrade& e : engines) folder.add(file_stem(e.results) + ".svg", badge(e));
+      folder.commit();
+    }
+    if (!page_.empty()) console::write_atomically(page_, conformance_page(engines, facts(true)));
+  }
+
   bool list_ = false;
-  std::string folder_;
+  std::string cases_folder_, run_, page_, badges_;
+  std::vector<std::string> results_;
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ struct Options {
 };
 
 Exit judged(const Study& study, const StudyResult& result) {
-  if (result.gates.empty())
+  if (result.gates.empty() && !result.text)
     console::complain("verify", fmt::format("{}: no gates: nothing is claimed of what was run", study.name()));
   for (const Gate& gate : result.gates)
     if (!gate.pass)
@@ -56,7 +56,7 @@ Exit run_one(Study& study, const Options& options) {
   console::Output output(options.output.file);
   const StudyResult result = study.run(options.run);
   if (folder) write_study(study, result, *folder);
-  output.write(study_text(study, result, options.output.format));
+  output.write(result.text ? *result.text : study_text(study, result, options.output.format));
   const console::SignalsHeld held;
   if (folder) folder->commit();
   output.commit();

@@ -77,7 +77,7 @@ std::vector<Case> plane_cases() {
   Body sliding = Body::of_density(0.5e-3, 1e4);
   sliding.velocity.y = 0.5;
   cases.push_back(lasting(on_floor("dem04-sliding-to-rolling", "A sphere slides on a rough floor until it rolls",
-                                   std::string(mfix) + "DEM04, with a tangential spring", 0, sliding, 1e-5),
+                                   std::string(mfix) + "DEM04, with a tangential spring", 0, sliding, 1e-4),
                           160, 0.5));
   // Slides where μ < (2/7) tan θ.
   Case slides = on_floor("slope-sliding", "A sphere let go on a slope of 45°, μ = 0.2: it slides",

@@ -37,6 +37,7 @@ struct StudyResult {
   std::vector<Remark> remarks;
   std::vector<std::string> skipped = {};  ///< what could not be tried here; neither passed nor failed
   std::string verdict;                    ///< what was found, in one sentence, made from the numbers of this run
+  std::optional<std::string> text = {};   ///< printed in place of all that, whatever the format: a file for others
 };
 
 /// One thing that is verified: a claim, the measurement, and the gates. A study has no physics of its own: it calls

@@ -1,5 +1,7 @@
 #include "oblique.hpp"
 
+#include "../slider.hpp"
+
 #include <calibrate/calibration.hpp>
 #include <console/exit.hpp>
 #include <ricochet/collision/oblique.hpp>
@@ -75,50 +77,11 @@ ObliqueCollision ours(const Laws& laws, const Encounter& who) {
                  ObliqueImpact{.normal = {1, 0, 0}, .i = a, .j = b});
 }
 
-/// What an engine does with its tangential spring and dashpot.
-struct Rule {
-  bool limits_spring_alone = false;  ///< and leaves the dashpot out of a contact that slides; else it limits their sum
-  enum class Keeps {
-    asked,   ///< the force while Mindlin's contact grows, the strain while it shrinks
-    strain,  ///< both ways
-    force    ///< both ways
-  } keeps = Keeps::asked;
-};
-
 Rule rule_of(Engine engine) {
   if (engine == Engine::liggghts) return {true, Rule::Keeps::strain};
   if (engine == Engine::yade) return {true, Rule::Keeps::force};
   return {};
 }
-
-/// Spring, dashpot and limit of one contact, in one direction.
-class Slider {
- public:
-  explicit Slider(Rule rule) : rule_(rule) {}
-
-  /// The traction of a spring and dashpot that are `now` as they are, after a slip u over dt.
-  double act(const Spring& now, double u, double dt, double limit) {
-    if (stiffness_ > 0 && rule_.keeps != Rule::Keeps::force) {
-      const double grown = now.stiffness / stiffness_;
-      force_ *= rule_.keeps == Rule::Keeps::strain ? grown : std::min(1.0, grown);
-    }
-    stiffness_ = now.stiffness;
-    force_ -= now.stiffness * u * dt;
-    const double viscous = -now.damping * u, wanted = force_ + viscous;
-    if (rule_.limits_spring_alone) {
-      if (std::abs(force_) <= limit) return wanted;
-      force_ = std::copysign(limit, force_);
-      return force_;
-    }
-    if (std::abs(wanted) <= limit) return wanted;
-    force_ = std::copysign(limit, wanted) - viscous;
-    return std::copysign(limit, wanted);
-  }
-
- private:
-  Rule rule_;
-  double force_ = 0, stiffness_ = 0;  ///< of the spring
-};
 
 /// R of the two laws that are run here.
 double repelling(const AnyLaw& law, const Approach& state) {

@@ -1,0 +1,185 @@
+#include "results.hpp"
+
+#include <console/csv.hpp>
+#include <console/exit.hpp>
+#include <console/input.hpp>
+#include <console/number.hpp>
+#include <console/table.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace ricochet::verify::conformance {
+
+namespace {
+
+enum Column { name, steps, body, x, y, z, vx, vy, vz, wx, wy, wz, contact_time, max_overlap, note };
+constexpr std::array columns{console::CsvColumn{"case", "", true},
+                             console::CsvColumn{"steps"},
+                             console::CsvColumn{"body"},
+                             console::CsvColumn{"x", "m"},
+                             console::CsvColumn{"y", "m"},
+                             console::CsvColumn{"z", "m"},
+                             console::CsvColumn{"vx", "m/s"},
+                             console::CsvColumn{"vy", "m/s"},
+                             console::CsvColumn{"vz", "m/s"},
+                             console::CsvColumn{"wx"},
+                             console::CsvColumn{"wy"},
+                             console::CsvColumn{"wz"},
+                             console::CsvColumn{"contact_time", "s"},
+                             console::CsvColumn{"max_overlap", "m"},
+                             console::CsvColumn{"note"}};
+constexpr int most_steps = 10'000'000;
+
+/// "# key: value" of the file's remarks; empty where there is none.
+std::string remark(std::string_view text, std::string_view key) {
+  while (!text.empty()) {
+    std::string_view line = console::take_line(text);
+    if (!line.starts_with('#')) continue;
+    line.remove_prefix(1);
+    while (line.starts_with(' ')) line.remove_prefix(1);
+    if (!line.starts_with(key) || !line.substr(key.size()).starts_with(':')) continue;
+    line.remove_prefix(key.size() + 1);
+    while (line.starts_with(' ')) line.remove_prefix(1);
+    while (line.ends_with(' ')) line.remove_suffix(1);
+    return std::string(line);
+  }
+  return {};
+}
+
+class Reader {
+ public:
+  Reader(const std::string& path, const std::vector<Case>& cases) : path_(path), cases_(cases), rows_(path, columns) {}
+
+  std::vector<CaseResult> read() {
+    while (rows_.next()) read_row();
+    for (const CaseResult& result : results_) check_bodies(result);
+    for (CaseResult& result : results_)
+      std::sort(result.runs.begin(), result.runs.end(), [](const Run& a, const Run& b) { return a.steps < b.steps; });
+    return std::move(results_);
+  }
+
+ private:
+  void read_row() {
+    const Case& of = case_of_row();
+    CaseResult& result = result_of(of);
+    if (rows_.has(note) && !rows_.text(note).empty()) result.note = rows_.text(note);
+    if (!rows_.has(steps) || rows_.text(steps).empty()) {
+      if (result.note.empty()) rows_.fail("steps = : must be a whole number, or there is a note why it was not run");
+      if (!seen_.insert({of.name, 0, 0}).second) rows_.reject(name, "given once without steps");
+      return;
+    }
+    const int n = whole(steps, most_steps);
+    const auto which = static_cast<std::size_t>(whole(body, static_cast<int>(of.bodies.size())));
+    if (!seen_.insert({of.name, n, which}).second) rows_.reject(body, "given once a case and steps");
+    Run& run = run_of(result, of, n);
+    Body& b = run.bodies[which - 1];
+    b.position = {rows_.number(x), rows_.number(y), rows_.number(z)};
+    b.velocity = {rows_.number(vx), rows_.number(vy), rows_.number(vz)};
+    b.spin = {rows_.number(wx), rows_.number(wy), rows_.number(wz)};
+    if (which != 1) return;
+    run.contact_time = optional_number(contact_time);
+    run.max_overlap = optional_number(max_overlap);
+  }
+  const Case& case_of_row() {
+    const auto found =
+        std::find_if(cases_.begin(), cases_.end(), [&](const Case& c) { return c.name == rows_.text(name); });
+    if (found == cases_.end()) rows_.reject(name, "one of verify conformance --list");
+    return *found;
+  }
+  CaseResult& result_of(const Case& of) {
+    const auto found =
+        std::find_if(results_.begin(), results_.end(), [&](const CaseResult& r) { return r.name == of.name; });
+    return found != results_.end() ? *found : results_.emplace_back(CaseResult{of.name});
+  }
+  static Run& run_of(CaseResult& result, const Case& of, int n) {
+    const auto found = std::find_if(result.runs.begin(), result.runs.end(), [&](const Run& r) { return r.steps == n; });
+    return found != result.runs.end() ? *found : result.runs.emplace_back(Run{n, of.bodies});
+  }
+  int whole(Column column, int most) {
+    const std::string accepted = fmt::format("a whole number from 1 to {}", most);
+    const double value = rows_.number(column, accepted);
+    if (!(value >= 1 && value <= most && value == std::floor(value))) rows_.reject(column, accepted);
+    return static_cast<int>(value);
+  }
+  std::optional<double> optional_number(Column column) {
+    if (!rows_.has(column) || rows_.text(column).empty()) return std::nullopt;
+    return rows_.number(column);
+  }
+  void check_bodies(const CaseResult& result) const {
+    for (const Run& run : result.runs)
+      for (std::size_t which = 1; which <= run.bodies.size(); ++which)
+        if (!seen_.contains({result.name, run.steps, which}))
+          throw console::BadInput(fmt::format("{}: case {}, {} steps: body {} is missing: must be all {}", path_,
+                                              result.name, run.steps, which, run.bodies.size()));
+  }
+
+  std::string path_;
+  const std::vector<Case>& cases_;
+  console::CsvReader rows_;
+  std::vector<CaseResult> results_;
+  std::set<std::tuple<std::string, int, std::size_t>> seen_;
+};
+
+}  // namespace
+
+const CaseResult* Results::find(const std::string& wanted) const {
+  const auto found = std::find_if(cases.begin(), cases.end(), [&](const CaseResult& r) { return r.name == wanted; });
+  return found == cases.end() ? nullptr : &*found;
+}
+
+Results read_results(const std::string& path, const std::vector<Case>& cases) {
+  const std::string text = console::read_input(path);
+  Results results{remark(text, "engine"), remark(text, "version"), remark(text, "date"), remark(text, "by")};
+  for (const auto& [key, value] : {std::pair("engine", results.engine), std::pair("version", results.version)})
+    if (value.empty())
+      throw console::BadInput(fmt::format("{}: a line \"# {}: …\" is missing: must name the {}", path, key,
+                                          key == std::string("engine") ? "engine" : "engine's version"));
+  results.cases = Reader(path, cases).read();
+  return results;
+}
+
+std::string results_text(const Results& results) {
+  std::string text = fmt::format("# engine: {}\n# version: {}\n# date: {}\n# by: {}\n", results.engine, results.version,
+                                 results.date, results.by);
+  console::Table table({{"case"},
+                        {"steps"},
+                        {"body"},
+                        {"x"},
+                        {"y"},
+                        {"z"},
+                        {"vx"},
+                        {"vy"},
+                        {"vz"},
+                        {"wx"},
+                        {"wy"},
+                        {"wz"},
+                        {"contact_time"},
+                        {"max_overlap"},
+                        {"note"}});
+  for (const CaseResult& result : results.cases) {
+    if (result.runs.empty()) {
+      std::vector<console::Cell> cells(table.columns().size(), console::blank());
+      cells.front() = result.name, cells.back() = result.note;
+      table.row(cells);
+    }
+    for (const Run& run : result.runs)
+      for (std::size_t i = 0; i < run.bodies.size(); ++i) {
+        const Body& b = run.bodies[i];
+        const auto first = [&](const std::optional<double>& v) {
+          return i == 0 && v ? console::Cell(*v) : console::blank();
+        };
+        table.row({result.name, std::int64_t{run.steps}, static_cast<std::int64_t>(i + 1), b.position.x, b.position.y,
+                   b.position.z, b.velocity.x, b.velocity.y, b.velocity.z, b.spin.x, b.spin.y, b.spin.z,
+                   first(run.contact_time), first(run.max_overlap), result.note});
+      }
+  }
+  return text + table.csv();
+}
+
+}  // namespace ricochet::verify::conformance
