@@ -88,7 +88,7 @@ awk 'BEGIN {
 
 run() { # DECK: its CPU time [s] in cpu.out
   local TIMEFORMAT='%U %S'
-  { time "$driver" -in "$1" -log none >run.out; } 2>cpu.out || { grep ERROR run.out >&2; exit 4; }
+  { time "$driver" -in "$1" -log none >run.out 2>run.err; } 2>cpu.out || { grep ERROR run.out >&2; exit 4; }
 }
 
 settle() { # STYLE GRAINS STEPS < data: settled packing as a restart file and as positions
