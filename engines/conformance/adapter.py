@@ -21,7 +21,7 @@ from case import BadCase, Case, NotRun, read_cases
 from outcome import EngineFailed, Run
 
 COLUMNS = "case,steps,body,x,y,z,vx,vy,vz,wx,wy,wz,contact_time,max_overlap,note".split(",")
-TIME_LIMIT = 120  # [s] of one call of an engine
+TIME_LIMIT = 600  # [s] of one call of an engine; a case takes a second, or ten where others keep the machine busy
 
 
 class NoEngine(Exception):
@@ -37,6 +37,8 @@ def run_engine(arguments: Sequence[str], folder: str, typed: str = "", **environ
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=TIME_LIMIT)
     except subprocess.TimeoutExpired as late:
         raise EngineFailed(f"did not end within {TIME_LIMIT} s") from late
+    except OSError as error:
+        raise EngineFailed(f"{arguments[0]}: {error.strerror}") from error
     said = ran.stdout.decode("utf-8", "replace")
     if ran.returncode != 0:
         words = last_words(said).replace(os.path.join(folder, ""), "")
@@ -57,7 +59,7 @@ def rows_of(case: Case, runs: Sequence[Run]) -> List[List[str]]:
         return "" if number is None else repr(float(number))
 
     return [[case.name, str(run.steps), str(i + 1), *(text(x) for part in body for x in part),
-             text(run.contact_time), text(run.max_overlap), ""]
+             text(run.contact_time), text(run.max_overlap), run.note]
             for run in runs for i, body in enumerate(run.bodies)]
 
 

@@ -119,15 +119,19 @@ TEST_CASE("LIGGGHTS: moduli outside its usual range are allowed, restitutions ou
   CHECK(export_law(Engine::liggghts, with(lossy, ContactEnd::force)).fidelity == Fidelity::absent);
 }
 
-TEST_CASE("LIGGGHTS: the hysteretic model reaches k2 at the deepest overlap of the target's impact") {
-  const auto luding = export_law(Engine::liggghts, with(hysteretic, ContactEnd::force));
-  CHECK(luding.fidelity == Fidelity::close);
+TEST_CASE("LIGGGHTS: the hysteretic model has constant k1 and k2") {
+  const auto edinburgh = export_law(Engine::liggghts, with(hysteretic, ContactEnd::force));
+  CHECK(edinburgh.fidelity == Fidelity::exact);
   const std::string each = " peratomtypepair 1 ";
-  const double k1 = after(luding, "LoadingStiffness" + each), k2 = k1 * after(luding, "UnloadingStiffness" + each);
-  const double limit = k2 / (k2 - k1) * after(luding, "coefficientPlasticityDepth" + each) * 2 * radius_eff;
+  const double k1 = after(edinburgh, "LoadingStiffness" + each);
   CHECK(k1 == hysteretic.k1());
-  CHECK(k2 == Approx(hysteretic.k2()).epsilon(1e-14));
-  CHECK(limit == Approx(collide(hysteretic, {0.5, mass_eff}).max_overlap).epsilon(1e-12));
+  CHECK(k1 * after(edinburgh, "UnloadingStiffness" + each) == Approx(hysteretic.k2()).epsilon(1e-14));
+  CHECK(after(edinburgh, "overlapExponent scalar ") == 1);
+  CHECK(after(edinburgh, "coefficientAdhesionStiffness" + each) == 0);
+  CHECK(after(edinburgh, "coefficientRestitution" + each) == 1);
+  CHECK(acts_on(edinburgh, "model edinburgh/stiffness tangential off tangential_damping off fixKc on limitForce on"));
+  const auto elastic = export_law(Engine::liggghts, with(Hysteretic(4000, 4000), ContactEnd::force));
+  CHECK(after(elastic, "UnloadingStiffness" + each) == 1);
 }
 
 TEST_CASE("LIGGGHTS: the fractional law goes to the project's own model") {

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# debian13.sh COMMAND [ARGUMENT…]            runs the command, for which `lmp` is the LAMMPS of Debian 13 (4 Feb 2025)
-#                                            and `yade` its Yade (2025.2), where that is installed
-# debian13.sh --driver COMMAND [ARGUMENT…]   builds lammps-ricochet there first: `$RICOCHET_LAMMPS_RUN RANKS -in DECK`
-#                                            runs a deck with it, in folders below $RICOCHET_LAMMPS_RUNS
-# debian13.sh --inside COMMAND               builds it too, and runs the command there, in the checkout's copy
+# debian13.sh verify VERIFY   runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025)
+# debian13.sh driver TEST     builds lammps-ricochet there and runs this test program with it
+# debian13.sh lmp COMMAND…    runs a command for which `lmp` is that LAMMPS
+# debian13.sh yade COMMAND…   runs a command for which `yade` is that of Debian 13 (2025.2.0), if it is installed there
+# debian13.sh shell COMMAND   runs a command in the checkout's copy there, once the driver is built: for benchmarks
 # The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout, and stays for
 # the next run. Where it is missing it is made, which takes root, debootstrap, a Debian mirror ($RICOCHET_MIRROR) and
 # some minutes; where it cannot be made the test is skipped (exit code 77) and says why.
@@ -13,8 +13,7 @@ set -euo pipefail
 system=${RICOCHET_DEBIAN13:-/var/tmp/ricochet-debian-13}
 mirror=${RICOCHET_MIRROR:-http://deb.debian.org/debian}
 root=$(cd "$(dirname "$0")/../.." && pwd)
-task=run
-case ${1:-} in --driver | --inside) task=${1#--} && shift ;; esac
+task=${1:-} argument=${2:-}
 readonly for_driver=(lammps liblammps-dev g++ cmake ninja-build dpkg-dev openmpi-bin libopenmpi-dev
   libboost-dev libeigen3-dev libgsl-dev libfmt-dev)
 
@@ -70,7 +69,7 @@ build_driver() {
 }
 
 ((EUID == 0)) || skip "only root can enter the system in $system"
-(($#)) || { sed -n '4,8s/^# //p' "$0" >&2; exit 2; }
+[[ $task =~ ^(verify|driver|lmp|yade|shell)$ && $argument ]] || { sed -n 's/^# //; 3,8p' "$0" >&2; exit 2; }
 mkdir -p "$(dirname "$system")"
 exec 9>"$system.lock"
 flock 9
@@ -83,8 +82,12 @@ trap tidy_up EXIT
 make_system
 # Open MPI looks for its processes there.
 if ! mountpoint -q "$system/proc"; then mount -t proc proc "$system/proc" && mounted=yes; fi
-if [[ $task == run ]]; then install_packages lammps; else install_packages "${for_driver[@]}"; fi
-[[ $(inside 'lmp -h' 2>/dev/null || true) == *"4 Feb 2025"* ]] ||
+case $task in
+  verify | lmp) install_packages lammps ;;
+  yade) [[ -x $system/usr/bin/yade ]] || skip "no Yade in $system, nearly 300 MB: apt-get install yade in it" ;;
+  *) install_packages "${for_driver[@]}" ;;
+esac
+[[ $task == yade || $(inside 'lmp -h' 2>/dev/null || true) == *"4 Feb 2025"* ]] ||
   skip "$system/usr/bin/lmp does not run here, or is of another version"
 
 # The programs' scratch folders are inside the system, so that the engine finds them under the rest of their path.
@@ -98,9 +101,13 @@ WRAPPER
   chmod +x "$work/$1"
 }
 case $task in
-  run)
+  verify)
     write_wrapper lmp 'exec lmp "$@"'
-    if [[ -x $system/usr/bin/yade ]]; then write_wrapper yade 'exec yade "$@"'; fi
+    TMPDIR=$scratch PATH=$work:$PATH "$(realpath "$argument")" engines --engine lammps --require lammps
+    ;;
+  lmp | yade)
+    write_wrapper "$task" "exec $task \"\$@\""
+    shift
     TMPDIR=$scratch PATH=$work:$PATH "$@"
     ;;
   driver)
@@ -108,10 +115,12 @@ case $task in
     write_wrapper run 'ranks=$1 && shift && driver=/root/ricochet/build/lammps/bin/lammps-ricochet
       [ "$ranks" = 1 ] && exec "$driver" "$@"
       exec mpirun --allow-run-as-root --oversubscribe -np "$ranks" "$driver" "$@"'
-    RICOCHET_LAMMPS_RUN=$work/run RICOCHET_LAMMPS_RUNS=$scratch "$@"
+    export RICOCHET_LAMMPS_RUN=$work/run RICOCHET_LAMMPS_RUNS=$scratch
+    shift
+    "$@"
     ;;
-  inside)
+  shell)
     build_driver
-    inside "cd /root/ricochet && $*"
+    inside "cd /root/ricochet && $argument"
     ;;
 esac
