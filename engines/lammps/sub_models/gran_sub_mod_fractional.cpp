@@ -97,9 +97,10 @@ void GranSubModNormalOfLaw<Law>::mix_coeffs(double* icoeffs, double* jcoeffs) {
 
 template <class Law>
 void GranSubModNormalOfLaw<Law>::init() {
-  if (!dynamic_cast<GranSubModDampingFractional*>(gm->damping_model))
+  const GranSubModDamping& given = *gm->damping_model;
+  if (!dynamic_cast<const GranSubModDampingFractional*>(&given))
     error->all(FLERR, "granular model " + name + " takes damping fractional, or fractional/memory TIME, and finds " +
-                          gm->damping_model->name);
+                          given.name);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -174,7 +175,7 @@ double GranSubModNormalOfLaw<Law>::force_found_before(const double* memory, doub
 template <class Law>
 void GranSubModNormalOfLaw<Law>::advance_and_tally(double* memory, double step) {
   const LocatedContact<Law>& contact = law->contact();
-  std::array<double, ContactHistory::size> before;
+  std::array<double, ContactHistory::size> before{};
   std::copy_n(memory, before.size(), before.begin());
   contact.advance(memory, step, gm->delta, -gm->vnnr, gm->dt);
   tally(contact.stored_energy(memory), contact.dissipated_energy(before.data(), memory, gm->dt));
@@ -227,6 +228,7 @@ template <class Law>
 GranSubModNormalByParameters<Law>::GranSubModNormalByParameters(GranularModel* gm, LAMMPS* lmp)
     : GranSubModNormalOfLaw<Law>(gm, lmp, [] {
         std::vector<typename GranSubModNormalOfLaw<Law>::Coefficient> all;
+        all.reserve(Law::parameters.size() + 1);
         for (const auto& parameter : Law::parameters) all.push_back({capitals(parameter.name), {}});
         if (knows_velocity<Law>) all.push_back({"VELOCITY", {}});
         return all;
@@ -283,10 +285,10 @@ GranSubModDampingFractional::GranSubModDampingFractional(GranularModel* gm, LAMM
 /* ---------------------------------------------------------------------- */
 
 void GranSubModDampingFractional::init() {
-  normal = dynamic_cast<GranSubModNormalRemembering*>(gm->normal_model);
+  GranSubModNormal& given = *gm->normal_model;
+  normal = dynamic_cast<GranSubModNormalRemembering*>(&given);
   if (!normal)
-    error->all(FLERR, "damping " + name + " goes with the granular models fractional alone, not with " +
-                          gm->normal_model->name);
+    error->all(FLERR, "damping " + name + " goes with the granular models fractional alone, not with " + given.name);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -313,8 +315,7 @@ void GranSubModDampingFractionalMemory::coeffs_to_local() {
   }
 }
 
-namespace LAMMPS_NS {
-namespace Granular_NS {
+namespace LAMMPS_NS::Granular_NS {
 template class GranSubModNormalByParameters<ricochet::Fractional>;
 template class GranSubModNormalByParameters<ricochet::FractionalKelvinVoigt>;
 template class GranSubModNormalByParameters<ricochet::FractionalHertz>;
@@ -323,5 +324,4 @@ template class GranSubModNormalByTarget<ricochet::Fractional>;
 template class GranSubModNormalByTarget<ricochet::FractionalKelvinVoigt>;
 template class GranSubModNormalByTarget<ricochet::FractionalHertz>;
 template class GranSubModNormalByTarget<ricochet::FractionalZener>;
-}  // namespace Granular_NS
-}  // namespace LAMMPS_NS
+}  // namespace LAMMPS_NS::Granular_NS

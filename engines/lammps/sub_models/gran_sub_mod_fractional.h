@@ -33,8 +33,7 @@ GranSubModStyle(fractional/memory,GranSubModDampingFractionalMemory,DAMPING);
 #include <string>
 #include <vector>
 
-namespace LAMMPS_NS {
-namespace Granular_NS {
+namespace LAMMPS_NS::Granular_NS {
 
 // What `damping fractional` asks of its normal model.
 class GranSubModNormalRemembering : public GranSubModNormal {
@@ -145,8 +144,7 @@ class GranSubModDampingFractionalMemory : public GranSubModDampingFractional {
   double memory() const override { return coeffs[0]; }
 };
 
-}  // namespace Granular_NS
-}  // namespace LAMMPS_NS
+}  // namespace LAMMPS_NS::Granular_NS
 
 #endif
 #endif
