@@ -8,8 +8,6 @@
 
 namespace ricochet::lammps {
 
-using LAMMPS_NS::ubuf;
-
 namespace {
 
 constexpr const char* contacts_id = "FRACTIONAL_CONTACTS";
