@@ -142,7 +142,7 @@ class Conformance : public Study {
       result.rows.push_back(to_json(e));
       runs += e.run(), right += e.right();
     }
-    result.tables = {engine_table(engines), side_by_side(engines), cause_table(engines)};
+    result.tables = {engine_table(engines), side_by_side(engines, Heads::numbers), cause_table(engines)};
     result.data = grade_table(engines);
     result.verdict = fmt::format("{} engines, {} cases; {} of {} that were run converge to the answer.", engines.size(),
                                  cases.size(), right, runs);

@@ -52,6 +52,16 @@ TEST_CASE("misuse of the styles is refused with the name and the value") {
   CHECK(contains(complaint("rigid", good + "fix clump all rigid single\n"), "rigid bodies are not known"));
 }
 
+TEST_CASE("minimisation and steps within steps are refused") {
+  const auto going_on = [](const std::string& name, const std::string& last) {
+    const Workplace place(name);
+    CHECK(place.run(with(place, with_law(target(tcol, en))) + run(70) + last) == 1);
+    return place.output();
+  };
+  CHECK(contains(going_on("minimize", "minimize 0 1e-3 10 10\n"), "minimize knows no time"));
+  CHECK(contains(going_on("respa", "run_style respa 2 2 pair 1\n" + run(10)), "run_style respa"));
+}
+
 TEST_CASE("laws of two types are not mixed") {
   Box two = box;
   two.types = 2;

@@ -70,8 +70,8 @@ void add_angles(std::vector<Case>& cases) {
       slow_on_wall("oblique-damped", "20° from the normal, tangential spring and dashpot", deen, 20, damped(mass)));
   cases.push_back(slow_on_wall("oblique-mixed", "45° from the normal, tangential spring: it sticks and slides", becker,
                                45, half_reversed(mass)));
-  cases.push_back(slow_on_wall("oblique-sliding", "70° from the normal: gross sliding, exact for every normal law",
-                               walton, 70, half_reversed(mass)));
+  cases.push_back(
+      slow_on_wall("oblique-sliding", "70° from the normal: gross sliding", walton, 70, half_reversed(mass)));
   cases.push_back(slow_on_wall("oblique-grazing", "88° from the normal", walton, 88, half_reversed(mass)));
   Body body = at_angle(Body::of_density(radius, density), slow * std::numbers::sqrt2, 45);
   const Meeting tsuji = calibrated(kind_of<Tsuji>, ContactEnd::force, tcol, en, {slow, mass});
