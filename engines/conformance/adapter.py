@@ -9,7 +9,6 @@ import argparse
 import csv
 import datetime
 import io
-import math
 import os
 import shutil
 import subprocess
