@@ -28,13 +28,14 @@ inside() { # COMMAND: in the system
 }
 
 make_system() {
-  [[ -e $system/etc/debian_version ]] || {
+  [[ -e $system ]] || {
     command -v debootstrap >/dev/null || skip "no Debian 13 in $system, and debootstrap is not installed to make it"
-    rm -rf "$system"
-    debootstrap --variant=minbase trixie "$system" "$mirror" >"$log" 2>&1 ||
-      { rm -rf "$system"; skip "debootstrap failed: $(tail -n 1 "$log")"; }
+    rm -rf "$system.new" # of a run that was stopped
+    debootstrap --variant=minbase trixie "$system.new" "$mirror" >"$log" 2>&1 ||
+      skip "debootstrap failed: $(tail -n 1 "$log")"
+    mv "$system.new" "$system"
   }
-  [[ $(inside '. /etc/os-release; echo $VERSION_CODENAME') == trixie ]] || skip "$system is not Debian 13"
+  [[ $(inside '. /etc/os-release; echo $VERSION_CODENAME' 2>/dev/null) == trixie ]] || skip "$system is not Debian 13"
 }
 
 install_packages() { # PACKAGE…
@@ -44,13 +45,24 @@ install_packages() { # PACKAGE…
     skip "no packages for the system in $system: $(tail -n 1 "$log")"
 }
 
-# What git tracks goes to the system as it is here, uncommitted changes and all; its build stays from run to run.
+# The sources go to the system as they are here, uncommitted changes and all. What is the same there is left alone: a
+# build, which stays from run to run, goes by the files' dates.
+copy_sources() {
+  local checkout=$system/root/ricochet file
+  mkdir -p "$work/sources" "$checkout"
+  (cd "$root" && tar -c CMakeLists.txt CMakePresets.json cmake core console verify engines) | tar -x -C "$work/sources"
+  while read -r file; do
+    if [[ ! -e $work/sources/$file ]]; then rm "$checkout/$file"; fi
+  done < <(cd "$checkout" && find . -path ./build -prune -o -type f -print)
+  while read -r file; do
+    cmp -s "$work/sources/$file" "$checkout/$file" && continue
+    mkdir -p "$(dirname "$checkout/$file")"
+    cp "$work/sources/$file" "$checkout/$file"
+  done < <(cd "$work/sources" && find . -type f)
+}
+
 build_driver() {
-  local checkout=$system/root/ricochet
-  mkdir -p "$checkout"
-  (cd "$root" && git ls-files -z -co --exclude-standard | xargs -0 ls -d 2>/dev/null | tar -T - -c) >"$log.tar"
-  find "$checkout" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
-  tar -x -C "$checkout" <"$log.tar"
+  copy_sources
   inside 'cd /root/ricochet && cmake -S . -B build/lammps -G Ninja -DCMAKE_BUILD_TYPE=Release -DRICOCHET_PROGRAMS=OFF \
       -DRICOCHET_TESTS=OFF -DRICOCHET_INSTALL=OFF -DRICOCHET_LAMMPS=ON &&
     cmake --build build/lammps --target lammps-ricochet -j "$(nproc)"' >"$log" 2>&1 || { tail -n 40 "$log"; exit 1; }
@@ -69,7 +81,10 @@ tidy_up() {
 trap tidy_up EXIT
 make_system
 # Open MPI looks for its processes there.
-if ! mountpoint -q "$system/proc"; then mount -t proc proc "$system/proc" && mounted=yes; fi
+if ! mountpoint -q "$system/proc"; then
+  mount -t proc proc "$system/proc" 2>"$log" || skip "cannot mount $system/proc: $(tail -n 1 "$log")"
+  mounted=yes
+fi
 case $task in
   verify | lmp) install_packages lammps ;;
   yade) [[ -x $system/usr/bin/yade ]] || skip "no Yade in $system, nearly 300 MB: apt-get install yade in it" ;;

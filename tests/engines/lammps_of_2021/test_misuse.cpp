@@ -100,6 +100,18 @@ TEST_CASE("soft contacts, and contacts that lost their memory, are told of") {
   }
 }
 
+TEST_CASE("a later run with another time step keeps the kernel and says so") {
+  const std::string words = "keeps the memory kernel chosen for the first run's time step";
+  for (double later : {dt, dt / 2}) {
+    const Workplace place("later");
+    REQUIRE(place.run(with(place, with_law(target(tcol, en))) + run(30) + "timestep " + number(later) + "\n" +
+                      dump("dump", 400) + run(400)) == 0);
+    CHECK(contains(place.output(), words) == (later != dt));
+    const auto v = place.frames("dump").back().velocity;
+    CHECK((v[1][0] - v[0][0]) / speed == Approx(en).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("after `clear` the styles are there again") {
   const Workplace place("clear");
   const std::string deck = with(place, with_law(target(tcol, en)) + planes("xplane", "NULL", "0.01", target(tcol, en)));
