@@ -9,7 +9,6 @@ import argparse
 import csv
 import datetime
 import io
-import math
 import os
 import shutil
 import subprocess
@@ -148,9 +147,11 @@ def collect(engine: Engine, program: str, cases: Sequence[Case]) -> List[List[st
 
 
 def main(engine: Engine, arguments: Optional[Sequence[str]] = None) -> int:
-    """Exit codes: 0 done, 2 bad input, 4 the engine is not there or the results could not be written."""
+    """Exit codes: 0 done, 2 bad input, 4 the engine is not there or the results could not be written, 130 by Ctrl-C."""
     options = options_of(engine, arguments)
     try:
+        if options.results != "-" and not os.path.isdir(os.path.dirname(os.path.abspath(options.results))):
+            raise BadCase(f"-o {options.results}: there is no such folder")
         cases = read_cases(options.cases, options.only)
         if options.steps:
             cases = [case._replace(steps=options.steps) for case in cases]
@@ -170,4 +171,6 @@ def main(engine: Engine, arguments: Optional[Sequence[str]] = None) -> int:
     except OSError as error:
         print(f"{options.results}: {error.strerror}", file=sys.stderr)
         return 4
+    except KeyboardInterrupt:
+        return 130
     return 0

@@ -304,8 +304,16 @@ def test_exit_codes(tmp_path, capsys):
     written(tmp_path)
     assert adapter.main(engine(still), [str(tmp_path), "-o", "-", "--only", "none"]) == 2
     assert adapter.main(engine(still), [str(tmp_path), "-o", "-", "--program", "no-such-engine"]) == 4
+    assert adapter.main(engine(still), [str(tmp_path), "-o", str(tmp_path / "absent" / "x.csv")]) == 2
     assert capsys.readouterr().err.splitlines() == [
-        "--only none: must be one of pair", "Toy: --program no-such-engine: there is no such program"]
+        "--only none: must be one of pair", "Toy: --program no-such-engine: there is no such program",
+        f"-o {tmp_path}/absent/x.csv: there is no such folder"]
+
+    def stopped(*_):
+        raise KeyboardInterrupt
+
+    assert adapter.main(engine(stopped), [str(tmp_path), "-o", str(tmp_path / "x.csv")]) == 130
+    assert not (tmp_path / "x.csv").exists()
     with pytest.raises(SystemExit) as ended:
         adapter.main(engine(still), [str(tmp_path), "-o", "-", "--steps", "50,0"])
     assert ended.value.code == 2

@@ -81,7 +81,10 @@ tidy_up() {
 trap tidy_up EXIT
 make_system
 # Open MPI looks for its processes there.
-if ! mountpoint -q "$system/proc"; then mount -t proc proc "$system/proc" && mounted=yes; fi
+if ! mountpoint -q "$system/proc"; then
+  mount -t proc proc "$system/proc" 2>"$log" || skip "cannot mount $system/proc: $(tail -n 1 "$log")"
+  mounted=yes
+fi
 case $task in
   verify | lmp) install_packages lammps ;;
   yade) [[ -x $system/usr/bin/yade ]] || skip "no Yade in $system, nearly 300 MB: apt-get install yade in it" ;;

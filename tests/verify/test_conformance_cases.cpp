@@ -1,3 +1,4 @@
+#include "../console/temporary_folder.hpp"
 #include "conformance_cases.hpp"
 
 #include "../../verify/conformance/case_json.hpp"
@@ -7,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <set>
 
@@ -161,6 +163,26 @@ TEST_CASE("conformance: an engine's rule that is ours gives our answers") {
   CHECK_FALSE(by_rule(case_named("torsion-spin-down"), {}, 0));
   CHECK_FALSE(by_rule(case_named("slope-rolling"), {}, 0));
   CHECK_FALSE(by_rule(case_named("normal-linear-force"), {}, 0));
+}
+
+TEST_CASE("conformance: every key of a case is described") {
+  std::string text = read_file(RICOCHET_SOURCE_DIR "/docs/conformance.md");
+  const std::size_t begin = text.find("## A case");
+  text = text.substr(begin, text.find("\n## Results") - begin);
+  std::set<std::string> keys;
+  const std::function<void(const console::Json&)> collect = [&](const console::Json& json) {
+    for (const auto& [key, value] : json.items()) {
+      if (json.is_object() && key != "schema") keys.insert(key);
+      // A law's parameters are the law's.
+      if (value.is_structured() && key != "parameters") collect(value);
+    }
+  };
+  for (const Case& c : all_cases()) collect(to_json(c));
+  CHECK(keys.size() > 30);
+  for (const std::string& key : keys) {
+    INFO(key);
+    CHECK((text.find("`" + key + "`") != std::string::npos || text.find("`" + key + "[]`") != std::string::npos));
+  }
 }
 
 TEST_CASE("conformance: a case's file says all of it") {

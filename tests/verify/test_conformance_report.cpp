@@ -197,6 +197,8 @@ TEST_CASE("verify conformance: exit codes and what is written") {
   CHECK(has(read_file(folder / "page.html"), "Contact models in engines"));
   CHECK(has(read_file(folder / "badges/liggghts-3-8-0.svg"), "LIGGGHTS 3.8.0"));
 
+  CHECK(run({"--results", ours, "--report", ours}).code == 2);
+  CHECK(read_file(ours) == own.out);
   CHECK(run({"--results", folder / "none.csv"}).code == 2);
   CHECK(run({"--run", "lammps"}).code == 2);
   std::filesystem::create_directory(folder / "empty");

@@ -63,6 +63,15 @@ TEST_CASE("conformance: a results file is read back to the last bit") {
   CHECK(again.find("dem05") == nullptr);
 }
 
+TEST_CASE("conformance: what a file says of itself is harmless wherever it is shown") {
+  const Results r = read("# engine: =Mine()\n# version: 1\x1b[2J2\n# date: \t\n# by: + -@me-too\n" + columns +
+                         "dem05,,,,,,,,,,,,,,=no\x07 words\n");
+  CHECK(r.engine == "Mine()");
+  CHECK(r.version == "1?[2J2");
+  CHECK(r.by == "me-too");
+  CHECK(r.cases[0].note == "no? words");
+}
+
 TEST_CASE("conformance: runs come in any order and are sorted") {
   const std::string tail = ",1,0,0,0,0,0,0,0,0,0,,,\n";
   const Results r = read(head + columns + "dem05,100" + tail + "dem05,25" + tail + "dem05,50" + tail);
@@ -80,6 +89,8 @@ TEST_CASE("conformance: what is wrong with a results file is said with its place
   CHECK(said("dem05,25,1,inf,0,0,0,0,0,0,0,0,,,\n") == "r.csv:6: x = inf: must be a finite number");
   CHECK(said("dem05,25,1,0,0,0,0,0,0,0,0,,,,\n") == "r.csv:6: wz = nothing: must be a finite number");
   CHECK(said("dem05,25,1,0,0,0,0,0,0,0,0,0,x,,\n") == "r.csv:6: contact_time = x: must be a finite number");
+  CHECK(said("dem05,25,1,0,0,0,1e100,0,0,0,0,0,,,\n") == "nothing");
+  CHECK(said("dem05,25,1,0,0,0,-1.1e100,0,0,0,0,0,,,\n") == "r.csv:6: vx = -1.1e100: must be at most 1e+100");
   for (const std::string steps : {"0", "2.5", "-25", "10000001", "x"})
     CHECK(said("dem05," + steps + ",1,0,0,0,0,0,0,0,0,0,,,\n") ==
           "r.csv:6: steps = " + steps + ": must be a whole number from 1 to 10000000");

@@ -115,8 +115,8 @@ std::vector<Misunderstanding> misunderstandings(ContactEnd asked) {
 }
 
 struct RuleOfEngines {
-  const char* what;
-  Rule rule;
+  const char* what = "";
+  Rule rule = {};
 };
 const RuleOfEngines rules[] = {
     {"a contact that slides keeps a dashpot of the whole slip, its spring is set so that both make the limit", {}},
