@@ -27,8 +27,8 @@ std::optional<double> polynomial_argument(double eta) {
 constexpr int knows_restitution = 20240627;
 /// In this year the polynomial of damping tsuji was multiplied by sqrt(2), pull request 5113.
 constexpr int polynomial_changed = 20260101;
-/// Since then lammps-ricochet adds its laws to pair granular; to LAMMPS of before it adds a pair style and a wall, of the
-/// fractional law alone, without friction.
+/// Since then lammps-ricochet adds its laws to pair granular; to LAMMPS of before it adds a pair style and a wall, of
+/// the fractional law alone, without friction.
 constexpr int takes_our_laws = 20250204;
 
 struct Lammps {
