@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# debian13.sh verify VERIFY   runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025)
+# debian13.sh verify VERIFY   runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025) and
+#                             lammps-ricochet, which it builds there
 # debian13.sh driver TEST     builds lammps-ricochet there and runs this test program with it
 # debian13.sh lmp COMMAND…    runs a command for which `lmp` is that LAMMPS
 # debian13.sh yade COMMAND…   runs a command for which `yade` is that of Debian 13 (2025.2.0), if it is installed there
@@ -69,7 +70,7 @@ build_driver() {
 }
 
 ((EUID == 0)) || skip "only root can enter the system in $system"
-[[ $task =~ ^(verify|driver|lmp|yade|shell)$ && $argument ]] || { sed -n 's/^# //; 3,8p' "$0" >&2; exit 2; }
+[[ $task =~ ^(verify|driver|lmp|yade|shell)$ && $argument ]] || { sed -n 's/^# //; 3,9p' "$0" >&2; exit 2; }
 mkdir -p "$(dirname "$system")"
 exec 9>"$system.lock"
 flock 9
@@ -86,7 +87,7 @@ if ! mountpoint -q "$system/proc"; then
   mounted=yes
 fi
 case $task in
-  verify | lmp) install_packages lammps ;;
+  lmp) install_packages lammps ;;
   yade) [[ -x $system/usr/bin/yade ]] || skip "no Yade in $system, nearly 300 MB: apt-get install yade in it" ;;
   *) install_packages "${for_driver[@]}" ;;
 esac
@@ -105,8 +106,12 @@ WRAPPER
 }
 case $task in
   verify)
+    build_driver
     write_wrapper lmp 'exec lmp "$@"'
-    TMPDIR=$scratch PATH=$work:$PATH "$(realpath "$argument")" engines --engine lammps --require lammps
+    write_wrapper lammps-ricochet 'exec /root/ricochet/build/lammps/bin/lammps-ricochet "$@"'
+    # A copy beside that driver: the one beside the program itself is of another LAMMPS.
+    cp "$argument" "$work/verify"
+    TMPDIR=$scratch PATH=$work:$PATH "$work/verify" engines --engine lammps --require lammps lammps-ricochet
     ;;
   lmp | yade)
     write_wrapper "$task" "exec $task \"\$@\""
