@@ -1,5 +1,5 @@
 # `cmake --install`: the library with its headers, CMake package and pkg-config file, the programs with manual pages and
-# completions, their data and the licence. `cpack -G DEB` makes a Debian package of it.
+# completions, their data, the adapters for other engines and the licence. `cpack -G DEB` makes a Debian package of it.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -13,6 +13,8 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/core/include/ DESTINATION ${CMAKE_INSTAL
 if(EXISTS ${PROJECT_SOURCE_DIR}/data)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ricochet/data)
 endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/engines/conformance DESTINATION ${CMAKE_INSTALL_DATADIR}/ricochet
+  USE_SOURCE_PERMISSIONS FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -18,7 +18,9 @@ Body no_such_law(std::string_view engine, std::string_view law) {
 
 Body no_memory(std::string_view engine) {
   return absent(
-      fmt::format("NOT WRITTEN: {} has no law with memory; LIGGGHTS runs it through liggghts-ricochet.", engine));
+      fmt::format("NOT WRITTEN: {} has no law with memory; LIGGGHTS and LAMMPS run it through liggghts-ricochet and "
+                  "lammps-ricochet.",
+                  engine));
 }
 
 Body needs_radius() {

@@ -19,11 +19,13 @@ struct Language {
   std::string_view name, version, comment;
   Body (*write)(const ContactSet&);
   std::string_view step_before, step_behind;  ///< what sets the time step, around its number
+  std::string_view driver = {};               ///< our program that adds laws with a memory, where there is one
 };
 
 constexpr std::array<Language, 5> languages{{
-    {Engine::liggghts, "liggghts", "LIGGGHTS 3.8.0", "# ", write_liggghts, "timestep ", ""},
-    {Engine::lammps, "lammps", "LAMMPS 29 Sep 2021 and 4 Feb 2025", "# ", write_lammps, "timestep ", ""},
+    {Engine::liggghts, "liggghts", "LIGGGHTS 3.8.0", "# ", write_liggghts, "timestep ", "", "liggghts-ricochet"},
+    {Engine::lammps, "lammps", "LAMMPS 29 Sep 2021 and 4 Feb 2025", "# ", write_lammps, "timestep ", "",
+     "lammps-ricochet"},
     {Engine::yade, "yade", "Yade 2023.02a", "# ", write_yade, "O.dt = ", ""},
     {Engine::mercurydpm, "mercurydpm", "MercuryDPM, revision of July 2024", "// ", write_mercurydpm, "setTimeStep(",
      ");"},
@@ -277,11 +279,18 @@ std::span<const Engine> engines() noexcept {
 
 std::string_view text(Engine engine) noexcept { return language(engine).name; }
 std::string_view version(Engine engine) noexcept { return language(engine).version; }
+std::string_view driver(Engine engine) noexcept { return language(engine).driver; }
 
 std::optional<Engine> engine_named(std::string_view word) noexcept {
   for (const Language& l : languages)
     if (l.name == word) return l.engine;
   return std::nullopt;
+}
+
+std::optional<Engine> engine_run_by(std::string_view program) noexcept {
+  for (const Language& l : languages)
+    if (!program.empty() && l.driver == program) return l.engine;
+  return engine_named(program);
 }
 
 std::string_view text(Fidelity fidelity) noexcept {

@@ -1,10 +1,13 @@
 #include "body.hpp"
 
+#include <calibrate/advice.hpp>
 #include <ricochet/collision/peer_damping.hpp>
 #include <ricochet/support/root.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
+#include <functional>
 
 namespace ricochet::calibration {
 
@@ -24,14 +27,18 @@ std::optional<double> polynomial_argument(double eta) {
 constexpr int knows_restitution = 20240627;
 /// In this year the polynomial of damping tsuji was multiplied by sqrt(2), pull request 5113.
 constexpr int polynomial_changed = 20260101;
+/// Since then lammps-ricochet adds its laws to pair granular; to LAMMPS of before it adds a pair style and a wall, of
+/// the fractional law alone, without friction.
+constexpr int takes_our_laws = 20250204;
 
 struct Lammps {
   const ContactSet& set;
 
   /// The normal damping [kg/s] that LAMMPS multiplies its tangential damping by, where it is constant during a contact.
+  /// Of laws with a memory `damping fractional` says that of the linear contact with the same t_col and e_n.
   static double damping_of(const PairCase& p) {
-    const auto* law = std::get_if<Linear>(&p.law);
-    return law ? law->c() : 0;
+    if (const auto* law = std::get_if<Linear>(&p.law)) return law->c();
+    return is_located(p.law, ContactEnd::force) ? -2 * p.impact.mass_eff * std::log(p.en) / p.tcol : 0;
   }
 
   /// "linear_history k_t x_t mu" with x_t = c_t/c.
@@ -81,19 +88,28 @@ struct Lammps {
     return fmt::format("ricochet_wall{}{}", suffix_of(set, pair.b), one_grain() ? "" : "_" + set.kinds[pair.a].name);
   }
 
-  /// command(pair) of every pair of grains, then of every wall.
+  /// command(pair) of every pair of grains, or of every contact with a wall.
   template <class F>
-  std::string all(const F& command) const {
-    std::string text = "pair_style granular\n";
+  std::vector<std::string> commands(bool at_walls, const F& command) const {
+    std::vector<std::string> all;
     for (const PairCase& pair : set.pairs)
-      if (!set.kinds[pair.b].wall) text += command(pair);
+      if (set.kinds[pair.b].wall == at_walls) all.push_back(command(pair));
+    return all;
+  }
+  /// Where the walls are, and the grains that meet them.
+  std::string places() const {
+    std::string text;
     for (const std::size_t wall : walls_of(set))
       text += fmt::format("variable ricochet_wall{} index \"zplane 0.0 NULL\"\n", suffix_of(set, wall));
     for (std::size_t i = 0; !walls_of(set).empty() && !one_grain() && i < set.kinds.size(); ++i)
       if (!set.kinds[i].wall) text += fmt::format("group {} type {}\n", group_of(i), i + 1);
-    for (const PairCase& pair : set.pairs)
-      if (set.kinds[pair.b].wall) text += command(pair);
     return text;
+  }
+  /// command(pair) of every pair of grains, then of every wall.
+  template <class F>
+  std::string all(const F& command) const {
+    return fmt::format("pair_style granular\n{}{}{}", fmt::join(commands(false, command), ""), places(),
+                       fmt::join(commands(true, command), ""));
   }
   /// The same in every version.
   template <class F>
@@ -102,7 +118,8 @@ struct Lammps {
         [&](const PairCase& pair) { return fmt::format("{}{}{}\n", before(pair), contact_of(pair), behind(pair)); });
   }
 
-  std::string setting() const {
+  /// Types, walls and groups.
+  std::string bodies() const {
     std::string text;
     for (std::size_t i = 0; !one_grain() && i < set.kinds.size(); ++i)
       if (!set.kinds[i].wall) text += fmt::format("{}type {} is {}", i ? ", " : "Atom ", i + 1, set.kinds[i].name);
@@ -112,11 +129,17 @@ struct Lammps {
       if (!one_grain())
         text += "A group holds the grains that there are: include after they are made, and pour into these groups. ";
     }
-    text += "Needs atom_style sphere, newton off and comm_modify vel yes. ";
-    text += !frictional(set) ? "The tangential part is frictionless; put yours in its place. "
-            : is_mindlin(set)
-                ? "mindlin_rescale/force multiplies its stiffness by the contact radius sqrt(R overlap): 8 G*. "
-                : "linear_history takes k_t as it is. ";
+    return text;
+  }
+  std::string_view spring() const {
+    return !frictional(set) ? "The tangential part is frictionless; put yours in its place."
+           : is_mindlin(set)
+               ? "mindlin_rescale/force multiplies its stiffness by the contact radius sqrt(R overlap): 8 G*."
+               : "linear_history takes k_t as it is.";
+  }
+  std::string setting() const {
+    std::string text =
+        fmt::format("{}Needs atom_style sphere, newton off and comm_modify vel yes. {} ", bodies(), spring());
     if (damped_tangentially(set))
       text +=
           "Its damping is a multiple of the normal one, c_t/c. The styles gran/hooke/history take gamma_t = "
@@ -209,9 +232,95 @@ struct Lammps {
     return absent("NOT WRITTEN: pair_style granular of this version has no plastic loading and unloading.");
   }
 
+  /// "5225 0.2964 0.3197": k, c and alpha, or what else the law has.
+  static std::string numbers(const PairCase& p) {
+    std::vector<std::string> all;
+    for (const double value : values(p.law)) all.push_back(shortest(value));
+    return fmt::format("{}", fmt::join(all, " "));
+  }
+  /// "fractional/kelvin_voigt" of the law fractional-kelvin-voigt.
+  static std::string model_of(std::string_view law) {
+    std::string model(law);
+    std::replace(model.begin(), model.end(), '-', '_');
+    if (const auto kind = model.find('_'); kind != std::string::npos) model[kind] = '/';
+    return model;
+  }
+
+  /// What `if` does: the commands that follow `then` or `else`.
+  static std::string branch(const std::vector<std::string>& lines) {
+    return fmt::format("\"{}\"", fmt::join(lines, "\" &\n  \""));
+  }
+  /// `style`, then command(pair) of every pair of grains and of every wall.
+  template <class F>
+  std::string branch(const char* style, const F& command) const {
+    std::vector<std::string> lines{style};
+    for (const bool at_walls : {false, true})
+      for (std::string& line : commands(at_walls, command)) lines.push_back(std::move(line));
+    return branch(lines);
+  }
+  using Words = std::function<std::string(const PairCase&)>;
+  /// Both forms of lammps-ricochet: `model` with its numbers of pair granular, `law` of the older pair style, if it has
+  /// this law.
+  std::string by_driver(const Words& model, const Words& law) const {
+    const std::string since = branch("pair_style granular", [&](const PairCase& p) {
+      return fmt::format("{}{} damping fractional tangential {}{}", before(p), model(p), tangential(p), behind(p));
+    });
+    const std::string until = law && !frictional(set)
+                                  ? branch("pair_style fractional",
+                                           [&](const PairCase& p) {
+                                             return set.kinds[p.b].wall
+                                                        ? fmt::format("fix {} {} wall/fractional{} {}", fix_of(p),
+                                                                      group_of(p.a), behind(p), law(p))
+                                                        : before(p) + law(p);
+                                           })
+                                  : branch({"print 'Ricochet: " + std::string(older_driver) + "'", "quit 1"});
+    return fmt::format("{}if \"$(version) >= {}\" then &\n  {} &\nelse &\n  {}\n", places(), takes_our_laws, since,
+                       until);
+  }
+  static constexpr std::string_view older_driver =
+      "before LAMMPS of 4 Feb 2025 lammps-ricochet has the fractional law alone, without friction";
+
+  Body remembering(std::string_view name, const Words& model, const Words& law, const std::string& remark) const {
+    if (set.end != ContactEnd::force)
+      return absent(fmt::format("NOT WRITTEN: {} ends contacts by force; export with --end force.", model_of(name)));
+    const bool older = law && !frictional(set);
+    std::string needs = fmt::format(
+        "{}Run with lammps-ricochet, which adds this law to LAMMPS. Needs atom_style sphere and comm_modify vel yes; "
+        "{} {}",
+        bodies(),
+        older ? fmt::format("before version {} also newton off, and walls are planes.", takes_our_laws)
+              : fmt::format("{}: there this file stops with these words.", older_driver),
+        spring());
+    if (damped_tangentially(set))
+      needs += " Its damping is a multiple of what damping fractional gives, -2 m ln(en)/tcol.";
+    return {.fidelity = Fidelity::exact, .remarks = {needs, remark}, .input = by_driver(model, law)};
+  }
+
+  Body operator()(const Fractional&) const {
+    if (set.other_sizes.empty())
+      return remembering(
+          Fractional::name, [](const PairCase& p) { return "fractional " + numbers(p); }, numbers,
+          fmt::format(
+              "Only c^alpha k^(1-alpha) acts, for every pair alike. For the same collision time and restitution "
+              "at every pair's own mass write fractional/target {0} in place of fractional and its numbers{1}.",
+              target(set.pairs.front()),
+              frictional(set) ? "" : fmt::format("; before version {} target alone", takes_our_laws)));
+    return remembering(
+        Fractional::name, [](const PairCase& p) { return "fractional/target " + target(p); },
+        [](const PairCase& p) { return "target " + target(p); },
+        "Pairs of every size have this collision time and restitution.");
+  }
+  static std::string target(const PairCase& p) { return fmt::format("{} {}", shortest(p.tcol), shortest(p.en)); }
+
+  /// A law of real solids, by its parameters.
   template <RemembersAll Law>
   Body operator()(const Law&) const {
-    return no_memory("LAMMPS");
+    const auto model = [](const PairCase& p) {
+      const std::string words = fmt::format("{} {}", model_of(Law::name), numbers(p));
+      return std::same_as<Law, FractionalHertz> ? fmt::format("{} {}", words, shortest(p.impact.velocity)) : words;
+    };
+    return remembering(Law::name, model, {},
+                       "The parameters are those of every pair alike, whatever its masses and radii.");
   }
 
   /// Any law of which nothing is said above.

@@ -197,33 +197,23 @@ struct Liggghts {
     return properties;
   }
 
-  /// The overlap that the impact reaches by k1 alone.
-  static double deepest(const PairCase& pair) {
-    return pair.impact.velocity * std::sqrt(pair.impact.mass_eff / law_of<Hysteretic>(pair).k1());
-  }
-
-  Body operator()(const Hysteretic& law) const {
-    if (!knows_radii(set)) return needs_radius();
-    if (frictional(set)) return no_such_tangential("LIGGGHTS", "luding takes its own stiffness for k_t");
-    if (law.k1() == law.k2()) return absent("NOT WRITTEN: luding needs k2 > k1; use the linear law with c = 0.");
-    const auto unloading = [](const PairCase& p) { return law_of<Hysteretic>(p).k2() / law_of<Hysteretic>(p).k1(); };
-    const auto depth = [unloading](const PairCase& p) {
-      return deepest(p) * (1 - 1 / unloading(p)) / (2 * *p.radius_eff);
-    };
-    const double half = law.k1() / (law.k1() + 0.5 * (law.k2() - law.k1()));
+  Body operator()(const Hysteretic&) const {
+    if (frictional(set)) return no_such_tangential("LIGGGHTS", "edinburgh/stiffness takes its own stiffness for k_t");
+    std::vector<std::string> properties{
+        matrix("LoadingStiffness", [](const PairCase& p) { return law_of<Hysteretic>(p).k1(); }),
+        matrix("UnloadingStiffness",
+               [](const PairCase& p) { return law_of<Hysteretic>(p).k2() / law_of<Hysteretic>(p).k1(); })};
+    for (const char* none : {"coefficientAdhesionStiffness", "pullOffForce", "surfaceEnergy"})
+      properties.push_back(constant(none, 0));
+    properties.push_back(constant("coefficientRestitution", 1));
+    for (const char* exponent : {"overlapExponent", "adhesionExponent"})
+      properties.push_back(property(exponent, "scalar", {1}));
     return {
-        .fidelity = Fidelity::close,
+        .fidelity = Fidelity::exact,
         .remarks = {setting(),
-                    fmt::format("luding lets the unloading stiffness grow from k1 at no overlap to k2 at a limit, "
-                                "set here to the greatest overlap of the target's impact: its collision time and "
-                                "restitution are met there alone. At half the velocity the restitution is {} "
-                                "(constant k2: {}).",
-                                rounded(std::sqrt(half)), rounded(set.pairs.front().en))},
-        .input = with_style({matrix("LoadingStiffness", [](const PairCase& p) { return law_of<Hysteretic>(p).k1(); }),
-                             matrix("UnloadingStiffness", unloading), constant("coefficientAdhesionStiffness", 0),
-                             matrix("coefficientPlasticityDepth", depth), constant("pullOffForce", 0),
-                             constant("coefficientRestitution", 1)},
-                            "luding tangential off")};
+                    "edinburgh/stiffness with fixKc on, exponent 1 and no adhesion has constant k1 and k2; the k2 "
+                    "of luding grows with the overlap."},
+        .input = with_style(properties, model("edinburgh/stiffness"), "tangential_damping off fixKc on limitForce on")};
   }
 
   Body operator()(const Fractional&) const {

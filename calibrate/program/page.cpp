@@ -92,12 +92,12 @@ struct Stepped {
   std::vector<StepError> errors;
 };
 
-/// Laws that remember all, ended by force, as liggghts-ricochet steps them, which alone runs them.
+/// Laws that remember all, ended by force, as the drivers step them, which alone run them.
 std::vector<Stepped> steppings(const Report& report) {
   std::vector<Stepped> all;
   for (const Calibration& r : report.results) {
     const bool located = is_located(r.law, r.end);
-    all.push_back({title_of(r) + (located ? ", liggghts-ricochet" : ""),
+    all.push_back({title_of(r) + (located ? ", touch located" : ""),
                    step_errors(r.law, r.end, r.request.target, located ? Stepping::located : Stepping::half_step)});
   }
   return all;
@@ -172,8 +172,8 @@ std::string about_laws(const Report& report) {
 {}<h2 id="step">Which time step</h2>
 <p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force from the position at the end of the step)"
       R"( and the velocity at its middle, a contact found once the bodies overlap. The error is the greatest over)"
-      R"( sixteen places of the first touch within a step. liggghts-ricochet locates touch and end. The table of)"
-      R"( time steps above is read off these curves.</p>
+      R"( sixteen places of the first touch within a step. liggghts-ricochet and lammps-ricochet locate touch and end.)"
+      R"( The table of time steps above is read off these curves.</p>
 {}{})",
       console::html_figure(curves, console::svg_of(curves), {}),
       console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}),

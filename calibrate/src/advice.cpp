@@ -57,7 +57,7 @@ double stepped_restitution(const Law& law, ContactEnd end, const Impact& impact,
   return std::nan("");
 }
 
-/// The same in liggghts-ricochet, whose contact finds both its ends.
+/// The same in the drivers, whose contact finds both its ends.
 template <class Contact>
 double located_restitution(const Contact& contact, const Impact& impact, double h, double lead, int most_steps) {
   std::array<double, half_step::HalfStepContact::size> history{};
@@ -113,7 +113,7 @@ struct Stepped {
   }
 };
 
-/// liggghts-ricochet's contact in units of the step: its memory is a number of steps, so that the kernel, which takes
+/// The drivers' contact in units of the step: its memory is a number of steps, so that the kernel, which takes
 /// most of the time here, is the same for all of them. With τ = t/h and D_t^α = h^{−α} D_τ^α mζ'' = −R keeps its form
 /// for velocities v h and the law whose parameters are counted in steps, its R multiplied by h².
 template <class Law>
@@ -159,7 +159,7 @@ std::function<double(int)> stepping_of(const AnyLaw& law, ContactEnd end, const 
   if (stepping == Stepping::half_step)
     return [&law, &target, end](int steps) { return std::visit(Stepped{end, target, steps}, law); };
   if (!is_located(law, end))
-    throw std::invalid_argument("liggghts-ricochet locates contacts of laws with a memory that end by force");
+    throw std::invalid_argument("contacts of laws with a memory that end by force are located, and no others");
   return std::visit(
       [&]<class Law>(const Law& one) -> std::function<double(int)> {
         if constexpr (RemembersAll<Law>) {
@@ -230,18 +230,15 @@ std::optional<int> steps_for(const std::vector<StepError>& errors, double bound)
 
 std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Target& target) {
   std::vector<EngineStep> all;
-  if (is_located(law, end)) {
-    add_steps(all, "liggghts-ricochet", step_errors(law, end, target, Stepping::located), target.tcol);
-    return all;
-  }
+  const bool located = is_located(law, end);
   // Whether an engine has the law does not depend on the size of the grains.
   const ExportCase what{
       .law = law, .end = end, .tcol = target.tcol, .en = target.en, .impact = target.impact, .radius_eff = 1};
   std::vector<StepError> errors;  // alike in all that run it
   for (const Engine engine : engines()) {
     if (!runs(engine, what)) continue;
-    if (errors.empty()) errors = step_errors(law, end, target);
-    add_steps(all, text(engine), errors, target.tcol);
+    if (errors.empty()) errors = step_errors(law, end, target, located ? Stepping::located : Stepping::half_step);
+    add_steps(all, located ? driver(engine) : text(engine), errors, target.tcol);
   }
   return all;
 }

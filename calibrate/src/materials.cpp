@@ -191,7 +191,8 @@ std::vector<SizeChoice> size_choices(LawKind law) {
     return {{"mercurydpm", "k1 and k2: en = sqrt(k1/k2) at every size", Kept::numbers, true}};
   if (law == kind_of<Fractional>)
     return {
-        {"liggghts-ricochet", "collisionTime and coefficientRestitution, which keep tcol as well", Kept::target, true}};
+        {"liggghts-ricochet", "collisionTime and coefficientRestitution, which keep tcol as well", Kept::target, true},
+        {"lammps-ricochet", "fractional/target, which keeps tcol as well", Kept::target, true}};
   return {};
 }
 
@@ -199,7 +200,7 @@ namespace {
 
 /// What is written for the pairs in that engine along the normal.
 Snippet written(std::string_view engine, const Materials& materials, const std::vector<PairResult>& pairs, Kept kept) {
-  const Engine known = engine_named(engine == "liggghts-ricochet" ? "liggghts" : engine).value();
+  const Engine known = engine_run_by(engine).value();
   ContactSet set = contact_set(materials, pairs, kept);
   for (PairCase& pair : set.pairs) pair.tangential.reset();
   return export_contacts(known, set);

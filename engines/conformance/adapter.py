@@ -9,7 +9,6 @@ import argparse
 import csv
 import datetime
 import io
-import math
 import os
 import shutil
 import subprocess
@@ -21,7 +20,7 @@ from case import BadCase, Case, NotRun, read_cases
 from outcome import EngineFailed, Run
 
 COLUMNS = "case,steps,body,x,y,z,vx,vy,vz,wx,wy,wz,contact_time,max_overlap,note".split(",")
-TIME_LIMIT = 120  # [s] of one call of an engine
+TIME_LIMIT = 600  # [s] of one call of an engine; a case takes a second, or ten where others keep the machine busy
 
 
 class NoEngine(Exception):
@@ -37,6 +36,8 @@ def run_engine(arguments: Sequence[str], folder: str, typed: str = "", **environ
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=TIME_LIMIT)
     except subprocess.TimeoutExpired as late:
         raise EngineFailed(f"did not end within {TIME_LIMIT} s") from late
+    except OSError as error:
+        raise EngineFailed(f"{arguments[0]}: {error.strerror}") from error
     said = ran.stdout.decode("utf-8", "replace")
     if ran.returncode != 0:
         words = last_words(said).replace(os.path.join(folder, ""), "")
@@ -57,7 +58,7 @@ def rows_of(case: Case, runs: Sequence[Run]) -> List[List[str]]:
         return "" if number is None else repr(float(number))
 
     return [[case.name, str(run.steps), str(i + 1), *(text(x) for part in body for x in part),
-             text(run.contact_time), text(run.max_overlap), ""]
+             text(run.contact_time), text(run.max_overlap), run.note]
             for run in runs for i, body in enumerate(run.bodies)]
 
 
@@ -146,9 +147,11 @@ def collect(engine: Engine, program: str, cases: Sequence[Case]) -> List[List[st
 
 
 def main(engine: Engine, arguments: Optional[Sequence[str]] = None) -> int:
-    """Exit codes: 0 done, 2 bad input, 4 the engine is not there or the results could not be written."""
+    """Exit codes: 0 done, 2 bad input, 4 the engine is not there or the results could not be written, 130 by Ctrl-C."""
     options = options_of(engine, arguments)
     try:
+        if options.results != "-" and not os.path.isdir(os.path.dirname(os.path.abspath(options.results))):
+            raise BadCase(f"-o {options.results}: there is no such folder")
         cases = read_cases(options.cases, options.only)
         if options.steps:
             cases = [case._replace(steps=options.steps) for case in cases]
@@ -168,4 +171,6 @@ def main(engine: Engine, arguments: Optional[Sequence[str]] = None) -> int:
     except OSError as error:
         print(f"{options.results}: {error.strerror}", file=sys.stderr)
         return 4
+    except KeyboardInterrupt:
+        return 130
     return 0

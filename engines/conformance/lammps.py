@@ -3,8 +3,10 @@
 """The conformance kit in LAMMPS (package GRANULAR): pair_style granular and fix wall/gran.
 
     verify conformance --cases CASES && engines/conformance/lammps.py CASES -o lammps.csv
+    engines/conformance/lammps.py CASES -o fractional.csv --program build/release/bin/lammps-ricochet
 
-Written for 29 Sep 2021 and 4 Feb 2025; docs/engines.md says what each of its words means.
+Written for 29 Sep 2021 and 4 Feb 2025; docs/engines.md says what each of its words means. lammps-ricochet has the
+fractional laws: in 2021 one as a pair style and a wall of its own, in 2025 all as normal models of pair granular.
 """
 
 import functools
@@ -13,6 +15,7 @@ import os
 import re
 import sys
 import tempfile
+from typing import Optional
 
 from adapter import Engine, main, one_by_one, run_engine
 from case import (Body, Case, Law, NotRun, axis_of, effective_mass, effective_radius, parameters_of,
@@ -28,7 +31,11 @@ def version(program: str) -> str:
     found = re.search(r"Simulator - (\d+ \w+ \d{4}(?: - Update \d+)?)", said)
     if not found:
         raise EngineFailed("-h does not say which version it is")
-    return found[1].replace(" - ", " ")
+    return found[1].replace(" - ", " ") + (" with lammps-ricochet" if is_ours(program) else "")
+
+
+def is_ours(program: str) -> bool:
+    return os.path.basename(program) == "lammps-ricochet"
 
 
 def date_of(program: str) -> int:
@@ -66,6 +73,17 @@ def tsuji_damping(eta: float, date: int) -> str:
     return f"{math.exp(-math.pi * beta / math.sqrt(1 - beta**2))!r} damping coeff_restitution"
 
 
+def is_fractional(law: Optional[Law]) -> bool:
+    return law is not None and law.name.startswith("fractional")
+
+
+def fractional(case: Case, law: Law) -> str:
+    """Stiffness, damping and degree, or what the law has in their place, by the names of 2025."""
+    name = law.name.replace("-", "/", 1).replace("-", "_")
+    return (f"{name} {' '.join(map(repr, law.parameters.values()))} "
+            f"damping fractional/memory {4 * case.time_scale!r}")
+
+
 def normal(law: Law, mass: float, radius: float, date: int) -> str:
     """Stiffness, and damping with its kind. hertz multiplies by √(R ζ), viscoelastic by the mass as well."""
     root = math.sqrt(radius)
@@ -100,16 +118,28 @@ def tangential(case: Case, law: Law, radius: float) -> str:
     return words
 
 
-def contact(case: Case, law: Law, a: Body, b, date: int) -> str:
+def contact(case: Case, law: Law, a: Body, b: Optional[Body], date: int) -> str:
     radius = effective_radius(a, b)
+    if is_fractional(law):
+        return f"{fractional(case, law)} {tangential(case, law, radius)}"
     limit = " limit_damping" if law.end == "force" else ""
     return f"{normal(law, effective_mass(a, b), radius, date)} {tangential(case, law, radius)}{limit}"
 
 
 # --- Deck ------------------------------------------------------------------------------------------------------------
+def of_its_own(case: Case, law: Law) -> str:
+    """The parameters of pair_style fractional and fix wall/fractional, which 2021 has in place of sub-models."""
+    if case.tangential or law.name != "fractional":
+        raise NotRun("pair_style fractional of this version has the fractional law alone, without friction")
+    return " ".join(repr(law.parameters[name]) for name in ("k", "c", "alpha"))
+
+
 def pairs(case: Case, date: int) -> str:
     """Each body has a type of its own. What never meets (a body itself) gets a contact that does."""
     bodies, count = case.bodies, len(case.bodies)
+    if date < 20230000 and is_fractional(case.law or case.wall_law):
+        words = of_its_own(case, case.law or case.wall_law)
+        return f"pair_style fractional memory {4 * case.time_scale!r}\npair_coeff * * {words}\n"
     if not case.law:
         return f"pair_style granular\npair_coeff * * {contact(case, case.wall_law, bodies[0], None, date)}\n"
     text = f"pair_style granular\npair_coeff * * {contact(case, case.law, bodies[0], bodies[1], date)}\n"
@@ -122,6 +152,10 @@ def walls(case: Case, date: int) -> str:
     for k, wall in enumerate(case.walls):
         axis, sign = axis_of(wall)
         place = f"{wall.point[axis]!r} NULL" if sign > 0 else f"NULL {wall.point[axis]!r}"
+        if date < 20230000 and is_fractional(case.wall_law):
+            text += (f"fix wall{k + 1} all wall/fractional {'xyz'[axis]}plane {place} {of_its_own(case, case.wall_law)} "
+                     f"memory {4 * case.time_scale!r}\n")
+            continue
         for i, body in enumerate(case.bodies):
             text += (f"fix wall{k + 1}_{i + 1} body{i + 1} wall/gran granular "
                      f"{contact(case, case.wall_law, body, None, date)} {'xyz'[axis]}plane {place}\n")
@@ -165,8 +199,17 @@ run {case.count(n)}
 """
 
 
+def require_laws(program: str, case: Case) -> None:
+    for law in case.laws():
+        if is_fractional(law) and not is_ours(program):
+            raise NotRun(f"pair_style granular has no {law.name} law; lammps-ricochet has one")
+        if is_fractional(law) and law.end != "force":
+            raise NotRun(f"{law.name} ends contacts by force")
+
+
 def run_case(program: str, case: Case, folder: str):
     require_solid_spheres(case)
+    require_laws(program, case)
     with open(os.path.join(folder, "deck"), "w", encoding="utf-8") as out:
         out.write("clear\n".join(deck(case, n, date_of(program)) for n in case.steps))
     run_engine([program, "-in", "deck", "-log", "none"], folder)

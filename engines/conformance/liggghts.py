@@ -89,8 +89,6 @@ def edinburgh(case: Case, k1: float, k2: float) -> Model:
     """With fixKc, exponent 1 and no adhesion: k1 while loading, k2 while unloading, at every velocity."""
     if case.tangential:
         raise NotRun("edinburgh/stiffness takes k1 for k_t")
-    if k1 == k2:
-        raise NotRun("edinburgh/stiffness needs k2 > k1")
     return Model("edinburgh/stiffness", "tangential_damping off fixKc on",
                  {"LoadingStiffness": k1, "UnloadingStiffness": k2 / k1, "coefficientRestitution": 1,
                   "coefficientAdhesionStiffness": 0, "pullOffForce": 0, "surfaceEnergy": 0})

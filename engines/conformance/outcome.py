@@ -88,6 +88,7 @@ class Run(NamedTuple):
     bodies: List[State]
     contact_time: Optional[float] = None
     max_overlap: Optional[float] = None
+    note: str = ""
 
 
 def run_of_path(case: Case, n: int, path: Path) -> Run:

@@ -95,17 +95,20 @@ def run_once(program: str, case: Case, n: int, folder: str) -> Run:
 
 
 def run_case(program: str, case: Case, folder: str):
-    """Without the steps that simulate refuses as too long for this law."""
-    runs, refused = [], None
+    """Without the steps that simulate refuses as too long for this law, which the first run's note tells."""
+    runs, refused = [], []
     for n in case.steps:
         try:
             runs.append(run_once(program, case, n, folder))
         except EngineFailed as why:
             if "/step = " not in str(why):
                 raise
-            refused = why
+            refused.append((n, why))
     if not runs:
-        raise refused
+        raise refused[0][1]
+    if refused:
+        too_long = f"simulate refuses the step of {', '.join(str(n) for n, _ in refused)} as too long"
+        runs[0] = runs[0]._replace(note=too_long)
     return runs
 
 

@@ -84,8 +84,10 @@ def in_series(case: Case, law: Law, wall_law: Law) -> str:
     t = case.tangential
     if t and t.name != "linear":
         raise NotRun("ViscElPhys has a constant k_t")
-    if t and (t.torsion or t.mu_rolling > 0):
-        raise NotRun("torsion and rolling resistance are not written")
+    if t and t.torsion:
+        raise NotRun("ViscElPhys has no torsion")
+    if t and t.mu_rolling > 0:
+        raise NotRun("ViscElPhys resists rolling by a moment of constant size, without a spring")
     k, c = parameters_of(law, linear=("k", "c"))
     k_wall, c_wall = parameters_of(wall_law, linear=("k", "c"))
     k_t, c_t, mu = (t.k_t, t.c_t, t.mu) if t else (0, 0, 0)

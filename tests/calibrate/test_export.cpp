@@ -119,15 +119,19 @@ TEST_CASE("LIGGGHTS: moduli outside its usual range are allowed, restitutions ou
   CHECK(export_law(Engine::liggghts, with(lossy, ContactEnd::force)).fidelity == Fidelity::absent);
 }
 
-TEST_CASE("LIGGGHTS: the hysteretic model reaches k2 at the deepest overlap of the target's impact") {
-  const auto luding = export_law(Engine::liggghts, with(hysteretic, ContactEnd::force));
-  CHECK(luding.fidelity == Fidelity::close);
+TEST_CASE("LIGGGHTS: the hysteretic model has constant k1 and k2") {
+  const auto edinburgh = export_law(Engine::liggghts, with(hysteretic, ContactEnd::force));
+  CHECK(edinburgh.fidelity == Fidelity::exact);
   const std::string each = " peratomtypepair 1 ";
-  const double k1 = after(luding, "LoadingStiffness" + each), k2 = k1 * after(luding, "UnloadingStiffness" + each);
-  const double limit = k2 / (k2 - k1) * after(luding, "coefficientPlasticityDepth" + each) * 2 * radius_eff;
+  const double k1 = after(edinburgh, "LoadingStiffness" + each);
   CHECK(k1 == hysteretic.k1());
-  CHECK(k2 == Approx(hysteretic.k2()).epsilon(1e-14));
-  CHECK(limit == Approx(collide(hysteretic, {0.5, mass_eff}).max_overlap).epsilon(1e-12));
+  CHECK(k1 * after(edinburgh, "UnloadingStiffness" + each) == Approx(hysteretic.k2()).epsilon(1e-14));
+  CHECK(after(edinburgh, "overlapExponent scalar ") == 1);
+  CHECK(after(edinburgh, "coefficientAdhesionStiffness" + each) == 0);
+  CHECK(after(edinburgh, "coefficientRestitution" + each) == 1);
+  CHECK(acts_on(edinburgh, "model edinburgh/stiffness tangential off tangential_damping off fixKc on limitForce on"));
+  const auto elastic = export_law(Engine::liggghts, with(Hysteretic(4000, 4000), ContactEnd::force));
+  CHECK(after(elastic, "UnloadingStiffness" + each) == 1);
 }
 
 TEST_CASE("LIGGGHTS: the fractional law goes to the project's own model") {
@@ -137,8 +141,39 @@ TEST_CASE("LIGGGHTS: the fractional law goes to the project's own model") {
   CHECK(after(snippet, "fractionalC peratomtypepair 1 ") == fractional.c());
   CHECK(after(snippet, "fractionalAlpha peratomtypepair 1 ") == fractional.alpha());
   CHECK(acts_on(snippet, "pair_style gran model fractional"));
-  for (const Engine engine : {Engine::lammps, Engine::yade, Engine::mercurydpm, Engine::mfix})
+  for (const Engine engine : {Engine::yade, Engine::mercurydpm, Engine::mfix})
     CHECK(export_law(engine, with(fractional, ContactEnd::force)).fidelity == Fidelity::absent);
+}
+
+TEST_CASE("LAMMPS: the fractional law goes to the project's own driver, by the forms of both versions") {
+  const auto snippet = export_law(Engine::lammps, with(fractional, ContactEnd::force));
+  CHECK(snippet.fidelity == Fidelity::exact);
+  CHECK(active(snippet).starts_with(
+      "if \"$(version) >= 20250204\" then &\n"
+      "  \"pair_style granular\" &\n"
+      "  \"pair_coeff * * fractional 5225 0.2964 0.3197 damping fractional tangential linear_nohistory 0.0 0.0\" &\n"
+      "else &\n"
+      "  \"pair_style fractional\" &\n"
+      "  \"pair_coeff * * 5225 0.2964 0.3197\"\n"
+      "timestep "));
+  CHECK(export_law(Engine::lammps, with(FractionalKelvinVoigt(3000, 20, 0.5), ContactEnd::overlap)).fidelity ==
+        Fidelity::absent);
+}
+
+TEST_CASE("LAMMPS: laws of real solids go to the sub-models, and end the file in a driver without them") {
+  const auto line = [](const AnyLaw& law) {
+    const auto snippet = export_law(Engine::lammps, with(law, ContactEnd::force));
+    CHECK(snippet.fidelity == Fidelity::exact);
+    CHECK_FALSE(acts_on(snippet, "pair_style fractional"));
+    CHECK(acts_on(snippet, "else &\n  \"print 'Ricochet: "));
+    CHECK(acts_on(snippet, "\" &\n  \"quit 1\"\n"));
+    return line_with(snippet, "pair_coeff");
+  };
+  const std::string rest = " damping fractional tangential linear_nohistory 0.0 0.0\" &";
+  CHECK(line(FractionalKelvinVoigt(3000, 20, 0.5)) == "  \"pair_coeff * * fractional/kelvin_voigt 3000 20 0.5" + rest);
+  CHECK(line(FractionalZener(3000, 3e5, 0.25, 0.5)) ==
+        "  \"pair_coeff * * fractional/zener 3000 3e+05 0.25 0.5" + rest);
+  CHECK(line(FractionalHertz(2000, 3, 0.4)) == "  \"pair_coeff * * fractional/hertz 2000 3 0.4 0.5" + rest);
 }
 
 TEST_CASE("LIGGGHTS: the laws of real solids go to the project's own models, by their parameters") {
@@ -159,7 +194,7 @@ TEST_CASE("LIGGGHTS: the laws of real solids go to the project's own models, by 
   CHECK(after(of(hertz), "characteristicVelocity scalar ") == with(hertz, ContactEnd::force).impact.velocity);
   for (const AnyLaw& law : {AnyLaw(kelvin_voigt), AnyLaw(hertz), AnyLaw(zener)}) {
     CHECK(of(law).fidelity == Fidelity::exact);
-    for (const Engine engine : {Engine::lammps, Engine::yade, Engine::mercurydpm, Engine::mfix})
+    for (const Engine engine : {Engine::yade, Engine::mercurydpm, Engine::mfix})
       CHECK(export_law(engine, with(law, ContactEnd::force)).fidelity == Fidelity::absent);
   }
   CHECK(export_law(Engine::liggghts, with(kelvin_voigt, ContactEnd::overlap)).fidelity == Fidelity::absent);
@@ -286,6 +321,11 @@ TEST_CASE("a snippet sets the step that keeps the restitution, for the touch at 
 TEST_CASE("engines by name, and misuse") {
   for (const Engine engine : engines()) CHECK(engine_named(text(engine)) == engine);
   CHECK_FALSE(engine_named("edem"));
+  CHECK_FALSE(engine_named("lammps-ricochet"));
+  for (const Engine engine : engines()) CHECK(engine_run_by(text(engine)) == engine);
+  CHECK(engine_run_by("lammps-ricochet") == Engine::lammps);
+  CHECK(engine_run_by("liggghts-ricochet") == Engine::liggghts);
+  CHECK_FALSE(engine_run_by(""));
   ExportCase what = with(linear, ContactEnd::overlap);
   what.en = 1.5;
   CHECK_THROWS_AS(export_law(Engine::lammps, what), std::invalid_argument);

@@ -166,6 +166,51 @@ TEST_CASE("grains of a range of sizes: the numbers that keep the restitution of 
   const auto liggghts = export_contacts(Engine::liggghts, seeds);
   CHECK(after(liggghts, "collisionTime peratomtypepair 1 ") == 1e-4);
   CHECK(after(liggghts, "coefficientRestitution peratomtypepair 1 ") == 0.5);
+  const auto lammps = export_contacts(Engine::lammps, seeds);
+  CHECK(acts_on(lammps, "\"pair_coeff * * fractional/target 1e-04 0.5 damping fractional "));
+  CHECK(acts_on(lammps, "\"pair_coeff * * target 1e-04 0.5\"\n"));
+}
+
+TEST_CASE("LAMMPS: grains of two kinds and a wall under the fractional law, in both forms of the driver") {
+  const auto law = [](double k) { return Fractional(k, 0.5, 0.25); };
+  const ContactSet set{ContactEnd::force,
+                       {{.name = "small"}, {.name = "large"}, {.name = "floor", .wall = true}},
+                       {{0, 2, law(400), 1e-4, 0.5, {1, 4e-6}, {}},
+                        {1, 2, law(500), 1e-4, 0.5, {1, 5e-6}, {}},
+                        {0, 0, law(100), 1e-4, 0.5, {1, 1e-6}, {}},
+                        {1, 0, law(200), 1e-4, 0.5, {1, 2e-6}, {}},
+                        {1, 1, law(300), 1e-4, 0.5, {1, 3e-6}, {}}}};
+  const std::string rest = " 0.5 0.25 damping fractional tangential linear_nohistory 0.0 0.0";
+  const std::string lines =
+      "variable ricochet_wall index \"zplane 0.0 NULL\"\n"
+      "group ricochet_small type 1\n"
+      "group ricochet_large type 2\n"
+      "if \"$(version) >= 20250204\" then &\n"
+      "  \"pair_style granular\" &\n"
+      "  \"pair_coeff 1 1 fractional 100" +
+      rest +
+      "\" &\n"
+      "  \"pair_coeff 1 2 fractional 200" +
+      rest +
+      "\" &\n"
+      "  \"pair_coeff 2 2 fractional 300" +
+      rest +
+      "\" &\n"
+      "  \"fix ricochet_wall_small ricochet_small wall/gran granular fractional 400" +
+      rest +
+      " ${ricochet_wall}\" &\n"
+      "  \"fix ricochet_wall_large ricochet_large wall/gran granular fractional 500" +
+      rest +
+      " ${ricochet_wall}\" &\n"
+      "else &\n"
+      "  \"pair_style fractional\" &\n"
+      "  \"pair_coeff 1 1 100 0.5 0.25\" &\n"
+      "  \"pair_coeff 1 2 200 0.5 0.25\" &\n"
+      "  \"pair_coeff 2 2 300 0.5 0.25\" &\n"
+      "  \"fix ricochet_wall_small ricochet_small wall/fractional ${ricochet_wall} 400 0.5 0.25\" &\n"
+      "  \"fix ricochet_wall_large ricochet_large wall/fractional ${ricochet_wall} 500 0.5 0.25\"\n"
+      "timestep ";
+  CHECK(active(export_contacts(Engine::lammps, set)).starts_with(lines));
 }
 
 TEST_CASE("a set that makes no sense is refused") {

@@ -60,6 +60,28 @@ TEST_CASE("LAMMPS: linear_history takes k_t, c_t over c and mu, mindlin_rescale/
   CHECK(export_law(Engine::lammps, with(Linear(5000, 0), damped)).fidelity == Fidelity::absent);
 }
 
+TEST_CASE("LAMMPS: beside laws with a memory c_t over the damping of the linear contact of the same t_col and e_n") {
+  const Fractional law(5225, 0.2964, 0.3197);
+  const auto snippet = export_law(Engine::lammps, with(law, damped));
+  const std::string mark = "tangential linear_history ";
+  CHECK(after(snippet, mark) == 2500);
+  const std::string rest = snippet.text.substr(snippet.text.find(mark) + mark.size());
+  // -2 m ln(e_n)/t_col of the pair, 1e-4 s and 0.5.
+  CHECK(std::stod(rest.substr(rest.find(' ') + 1)) * 2 * mass_eff * std::log(2.0) / 1e-4 ==
+        Approx(damped.c_t()).epsilon(1e-14));
+  CHECK(snippet.fidelity == Fidelity::close);  // its dashpot feels the slip
+  // The older driver has no friction, and says so instead of running without.
+  CHECK(snippet.text.find("pair_style fractional") == std::string::npos);
+  CHECK(snippet.text.find("\"quit 1\"") != std::string::npos);
+  CHECK(export_law(Engine::lammps, with(law, undamped)).fidelity == Fidelity::exact);
+  const auto mindlin_beside = export_law(Engine::lammps, with(FractionalHertz(1e6, 3e3, 0.4), mindlin));
+  CHECK(after(mindlin_beside, "tangential mindlin_rescale/force ") ==
+        Approx(mindlin.k_t() / std::sqrt(radius_eff)).epsilon(1e-14));
+  ExportCase elastic = with(law, damped);
+  elastic.en = 1;
+  CHECK(export_law(Engine::lammps, elastic).fidelity == Fidelity::absent);  // no damping to multiply
+}
+
 TEST_CASE("LIGGGHTS: kt, gammat_abs and coefficientFriction, or the moduli that shear as asked") {
   const auto hooke = export_law(Engine::liggghts, with(linear, damped));
   CHECK(after(hooke, "kt peratomtypepair 1 ") == 2500);

@@ -304,8 +304,16 @@ def test_exit_codes(tmp_path, capsys):
     written(tmp_path)
     assert adapter.main(engine(still), [str(tmp_path), "-o", "-", "--only", "none"]) == 2
     assert adapter.main(engine(still), [str(tmp_path), "-o", "-", "--program", "no-such-engine"]) == 4
+    assert adapter.main(engine(still), [str(tmp_path), "-o", str(tmp_path / "absent" / "x.csv")]) == 2
     assert capsys.readouterr().err.splitlines() == [
-        "--only none: must be one of pair", "Toy: --program no-such-engine: there is no such program"]
+        "--only none: must be one of pair", "Toy: --program no-such-engine: there is no such program",
+        f"-o {tmp_path}/absent/x.csv: there is no such folder"]
+
+    def stopped(*_):
+        raise KeyboardInterrupt
+
+    assert adapter.main(engine(stopped), [str(tmp_path), "-o", str(tmp_path / "x.csv")]) == 130
+    assert not (tmp_path / "x.csv").exists()
     with pytest.raises(SystemExit) as ended:
         adapter.main(engine(still), [str(tmp_path), "-o", "-", "--steps", "50,0"])
     assert ended.value.code == 2
@@ -315,6 +323,8 @@ def test_an_engine_that_hangs_is_stopped(tmp_path, monkeypatch):
     monkeypatch.setattr(adapter, "TIME_LIMIT", 0.2)
     with pytest.raises(outcome.EngineFailed, match="did not end within 0.2 s"):
         adapter.run_engine(["/bin/sleep", "5"], str(tmp_path))
+    with pytest.raises(outcome.EngineFailed, match="/no-such-engine: No such file"):
+        adapter.run_engine(["/no-such-engine"], str(tmp_path))
 
 
 def test_last_words_are_the_last_error():
@@ -341,6 +351,23 @@ def test_lammps_counts_damping_its_way(tmp_path):
     assert math.sqrt(5) * beta == pytest.approx(eta, rel=1e-12) and new[3:] == ["damping", "coeff_restitution"]
     with pytest.raises(kit.NotRun, match="no hysteretic law"):
         lammps.normal(law("hysteretic", k1=1, k2=2), m, r, 20210929)
+
+
+def test_lammps_ricochet_has_styles_in_2021_and_sub_models_later(tmp_path):
+    fractional = {"name": "fractional-kelvin-voigt", "parameters": {"k": K, "c": 0.1, "alpha": 0.5}, "end": "force"}
+    pair = read(tmp_path, law={**fractional, "name": "fractional"})
+    memory = repr(4 * TCOL)
+    assert lammps.pairs(pair, 20210929) == f"pair_style fractional memory {memory}\npair_coeff * * {K!r} 0.1 0.5\n"
+    assert f"fractional {K!r} 0.1 0.5 damping fractional/memory {memory} tangential" in lammps.pairs(pair, 20250204)
+    solid = read(tmp_path, law=fractional)
+    assert f"fractional/kelvin_voigt {K!r} 0.1 0.5 damping" in lammps.pairs(solid, 20250204)
+    with pytest.raises(kit.NotRun, match="the fractional law alone"):
+        lammps.pairs(solid, 20210929)
+    with pytest.raises(kit.NotRun, match="lammps-ricochet has one"):
+        lammps.require_laws("/usr/bin/lmp", pair)
+    lammps.require_laws("/usr/bin/lammps-ricochet", pair)
+    with pytest.raises(kit.NotRun, match="ends contacts by force"):
+        lammps.require_laws("/usr/bin/lammps-ricochet", read(tmp_path, law={**fractional, "end": "overlap"}))
 
 
 def test_liggghts_takes_moduli_that_give_the_stiffness(tmp_path):

@@ -1,8 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# debian13.sh verify VERIFY   runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025)
+# debian13.sh verify VERIFY   runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025) and
+#                             lammps-ricochet, which it builds there
 # debian13.sh driver TEST     builds lammps-ricochet there and runs this test program with it
+# debian13.sh lmp COMMAND…    runs a command for which `lmp` is that LAMMPS
+# debian13.sh yade COMMAND…   runs a command for which `yade` is that of Debian 13 (2025.2.0), if it is installed there
 # debian13.sh shell COMMAND   runs a command in the checkout's copy there, once the driver is built: for benchmarks
 # The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout, and stays for
 # the next run. Where it is missing it is made, which takes root, debootstrap, a Debian mirror ($RICOCHET_MIRROR) and
@@ -26,13 +29,14 @@ inside() { # COMMAND: in the system
 }
 
 make_system() {
-  [[ -e $system/etc/debian_version ]] || {
+  [[ -e $system ]] || {
     command -v debootstrap >/dev/null || skip "no Debian 13 in $system, and debootstrap is not installed to make it"
-    rm -rf "$system"
-    debootstrap --variant=minbase trixie "$system" "$mirror" >"$log" 2>&1 ||
-      { rm -rf "$system"; skip "debootstrap failed: $(tail -n 1 "$log")"; }
+    rm -rf "$system.new" # of a run that was stopped
+    debootstrap --variant=minbase trixie "$system.new" "$mirror" >"$log" 2>&1 ||
+      skip "debootstrap failed: $(tail -n 1 "$log")"
+    mv "$system.new" "$system"
   }
-  [[ $(inside '. /etc/os-release; echo $VERSION_CODENAME') == trixie ]] || skip "$system is not Debian 13"
+  [[ $(inside '. /etc/os-release; echo $VERSION_CODENAME' 2>/dev/null) == trixie ]] || skip "$system is not Debian 13"
 }
 
 install_packages() { # PACKAGE…
@@ -42,20 +46,31 @@ install_packages() { # PACKAGE…
     skip "no packages for the system in $system: $(tail -n 1 "$log")"
 }
 
-# What git tracks goes to the system as it is here, uncommitted changes and all; its build stays from run to run.
+# The sources go to the system as they are here, uncommitted changes and all. What is the same there is left alone: a
+# build, which stays from run to run, goes by the files' dates.
+copy_sources() {
+  local checkout=$system/root/ricochet file
+  mkdir -p "$work/sources" "$checkout"
+  (cd "$root" && tar -c CMakeLists.txt CMakePresets.json cmake core console verify engines) | tar -x -C "$work/sources"
+  while read -r file; do
+    if [[ ! -e $work/sources/$file ]]; then rm "$checkout/$file"; fi
+  done < <(cd "$checkout" && find . -path ./build -prune -o -type f -print)
+  while read -r file; do
+    cmp -s "$work/sources/$file" "$checkout/$file" && continue
+    mkdir -p "$(dirname "$checkout/$file")"
+    cp "$work/sources/$file" "$checkout/$file"
+  done < <(cd "$work/sources" && find . -type f)
+}
+
 build_driver() {
-  local checkout=$system/root/ricochet
-  mkdir -p "$checkout"
-  (cd "$root" && git ls-files -z -co --exclude-standard | xargs -0 ls -d 2>/dev/null | tar -T - -c) >"$log.tar"
-  find "$checkout" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
-  tar -x -C "$checkout" <"$log.tar"
+  copy_sources
   inside 'cd /root/ricochet && cmake -S . -B build/lammps -G Ninja -DCMAKE_BUILD_TYPE=Release -DRICOCHET_PROGRAMS=OFF \
       -DRICOCHET_TESTS=OFF -DRICOCHET_INSTALL=OFF -DRICOCHET_LAMMPS=ON &&
     cmake --build build/lammps --target lammps-ricochet -j "$(nproc)"' >"$log" 2>&1 || { tail -n 40 "$log"; exit 1; }
 }
 
 ((EUID == 0)) || skip "only root can enter the system in $system"
-[[ $task =~ ^(verify|driver|shell)$ && $argument ]] || { sed -n 's/^# //; 3,6p' "$0" >&2; exit 2; }
+[[ $task =~ ^(verify|driver|lmp|yade|shell)$ && $argument ]] || { sed -n 's/^# //; 3,9p' "$0" >&2; exit 2; }
 mkdir -p "$(dirname "$system")"
 exec 9>"$system.lock"
 flock 9
@@ -67,9 +82,16 @@ tidy_up() {
 trap tidy_up EXIT
 make_system
 # Open MPI looks for its processes there.
-if ! mountpoint -q "$system/proc"; then mount -t proc proc "$system/proc" && mounted=yes; fi
-if [[ $task == verify ]]; then install_packages lammps; else install_packages "${for_driver[@]}"; fi
-[[ $(inside 'lmp -h' 2>/dev/null || true) == *"4 Feb 2025"* ]] ||
+if ! mountpoint -q "$system/proc"; then
+  mount -t proc proc "$system/proc" 2>"$log" || skip "cannot mount $system/proc: $(tail -n 1 "$log")"
+  mounted=yes
+fi
+case $task in
+  lmp) install_packages lammps ;;
+  yade) [[ -x $system/usr/bin/yade ]] || skip "no Yade in $system, nearly 300 MB: apt-get install yade in it" ;;
+  *) install_packages "${for_driver[@]}" ;;
+esac
+[[ $task == yade || $(inside 'lmp -h' 2>/dev/null || true) == *"4 Feb 2025"* ]] ||
   skip "$system/usr/bin/lmp does not run here, or is of another version"
 
 # The programs' scratch folders are inside the system, so that the engine finds them under the rest of their path.
@@ -84,8 +106,17 @@ WRAPPER
 }
 case $task in
   verify)
+    build_driver
     write_wrapper lmp 'exec lmp "$@"'
-    TMPDIR=$scratch PATH=$work:$PATH "$(realpath "$argument")" engines --engine lammps --require lammps
+    write_wrapper lammps-ricochet 'exec /root/ricochet/build/lammps/bin/lammps-ricochet "$@"'
+    # A copy beside that driver: the one beside the program itself is of another LAMMPS.
+    cp "$argument" "$work/verify"
+    TMPDIR=$scratch PATH=$work:$PATH "$work/verify" engines --engine lammps --require lammps lammps-ricochet
+    ;;
+  lmp | yade)
+    write_wrapper "$task" "exec $task \"\$@\""
+    shift
+    TMPDIR=$scratch PATH=$work:$PATH "$@"
     ;;
   driver)
     build_driver

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace ricochet::verify::conformance {
 
 namespace {
@@ -16,7 +18,7 @@ constexpr int height = 20, padding = 10;
 constexpr double letter = 6.6;  // mean width in a sans-serif face of 11 px, with something to spare
 
 int width_of(const std::string& words) {
-  return 2 * padding + static_cast<int>(letter * static_cast<double>(console::display_width(words)) + 0.5);
+  return 2 * padding + static_cast<int>(std::lround(letter * static_cast<double>(console::display_width(words))));
 }
 
 }  // namespace

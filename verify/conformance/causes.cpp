@@ -2,10 +2,6 @@
 
 #include "half_step.hpp"
 
-#include <console/number.hpp>
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -108,18 +104,19 @@ std::vector<Misunderstanding> misunderstandings(ContactEnd asked) {
       {"spring twice as stiff", scaled(2, 1)},
       {"spring half as stiff", scaled(0.5, 1)},
       {"damping left out", scaled(1, 0)},
+      // Before friction as a whole, which in a case of one mechanism alone is the same.
+      {"torsion left out", with_contact(no_torsion)},
+      {"rolling resistance left out", with_contact(no_rolling)},
       {"friction left out", with_contact([](TangentialContact& t) { return t = {}, true; })},
       {"friction without a spring", with_contact([](TangentialContact& t) { return t.law = RigidTangential{}, true; })},
       {"tangential spring twice as stiff", with_spring(2, 1)},
       {"tangential spring half as stiff", with_spring(0.5, 1)},
-      {"tangential dashpot left out", with_spring(1, 0)},
-      {"torsion left out", with_contact(no_torsion)},
-      {"rolling resistance left out", with_contact(no_rolling)}};
+      {"tangential dashpot left out", with_spring(1, 0)}};
 }
 
 struct RuleOfEngines {
-  const char* what;
-  Rule rule;
+  const char* what = "";
+  Rule rule = {};
 };
 const RuleOfEngines rules[] = {
     {"a contact that slides keeps a dashpot of the whole slip, its spring is set so that both make the limit", {}},
@@ -154,32 +151,34 @@ std::optional<Cause> repeated_by(const Case& as, const std::string& what, const 
   for (const Velocities velocities : {Velocities::at_steps, Velocities::behind}) {
     const auto misfit = misfit_of_steps(as, velocities, result, grade);
     if (misfit && *misfit <= repeated_to)
-      return Cause{fmt::format("{}forces take the velocity of half a step before: every run repeated here to {}", what,
-                               console::significant(*misfit, 1)),
-                   true, *misfit};
+      return Cause{what + "forces take the velocity of half a step before: every run repeated here to rounding", true,
+                   *misfit};
   }
   return std::nullopt;
 }
 
-/// Greatest difference of the engine's limits from a solution's numbers; nothing where one is farther than it may be.
-std::optional<double> misfit_of_limits(const Solution& other, const CaseGrade& grade) {
+/// Greatest difference of the engine's limits from another case's answers; nothing where one is farther than it may be.
+std::optional<double> misfit_of_limits(const std::vector<Answer>& other, const CaseGrade& grade) {
   double worst = 0;
   for (const Graded& g : grade.answers) {
     if (!g.answer.required) continue;
-    const double there = (number(other, g.answer) - g.answer.value) / g.answer.scale;
+    const auto same = std::find_if(other.begin(), other.end(), [&](const Answer& a) {
+      return a.quantity == g.answer.quantity && a.body == g.answer.body;
+    });
+    const double there = (same->value - g.answer.value) / g.answer.scale;
     const double off = std::abs(there - g.limit.value);
-    if (!(off <= g.limit.uncertainty + g.floor + other.error)) return std::nullopt;
+    if (!(off <= g.limit.uncertainty + g.floor + same->error / g.answer.scale)) return std::nullopt;
     worst = std::max(worst, off);
   }
   return worst;
 }
 
-/// The solution of a case that may have none: bodies that no longer part.
-std::optional<Solution> solution_of(const Case& c) {
+/// The answers of a case that may have none: bodies that no longer part.
+std::vector<Answer> answers_or_none(const Case& c) {
   try {
-    return c.solver(c, ContactArm::radius);
+    return answers(c);
   } catch (const std::logic_error&) {
-    return std::nullopt;
+    return {};
   }
 }
 
@@ -190,7 +189,11 @@ std::optional<Cause> explained_by(const RuleOfEngines& of, const Case& as, const
   std::optional<Cause> best;
   for (const double place : {0.0, 0.5, 1.0}) {
     const auto solution = by_rule(as, of.rule, place);
-    const auto off = solution ? misfit_of_limits(*solution, grade) : std::nullopt;
+    if (!solution) continue;
+    std::vector<Answer> there;
+    for (const Asked& asked : as.asked)
+      there.push_back({asked, number(*solution, asked), solution->error * asked.scale});
+    const auto off = misfit_of_limits(there, grade);
     if (off && (!best || *off < best->misfit)) best = Cause{of.what, false, *off};
   }
   return best;
@@ -207,8 +210,9 @@ std::vector<Cause> causes(const Answered& answered, const CaseResult& result, co
     const std::optional<Case> other = m.of(answered.of);
     if (!other) continue;
     if (const auto cause = repeated_by(*other, m.what + "; ", result, grade)) repeated.push_back(*cause);
-    const auto solution = grade.verdict == Verdict::elsewhere ? solution_of(*other) : std::nullopt;
-    const auto off = solution ? misfit_of_limits(*solution, grade) : std::nullopt;
+    if (grade.verdict != Verdict::elsewhere) continue;
+    const std::vector<Answer> there = answers_or_none(*other);
+    const auto off = there.empty() ? std::nullopt : misfit_of_limits(there, grade);
     if (off) limits.push_back({m.what, false, *off});
   }
   for (const RuleOfEngines& r : rules)

@@ -29,7 +29,8 @@ double separation(const Case& of, const Run& run) {
   }
   const double time = of.end_of_run(run.steps);
   // Bodies that do not part never come apart: the end of the run stands for it, far from any answer.
-  return rate < 0 ? time - overlap / rate : time;
+  const bool part = rate < 0 && std::abs(overlap) < 1e100 * -rate;
+  return part ? time - overlap / rate : time;
 }
 
 /// Slope of the errors, by all steps whose error stands above the floor.

@@ -37,15 +37,15 @@ struct Limit {
 
 /// Of values at the steps h, coarsest first, at least `fewest_runs`.
 ///
-/// Smooth: Richardson's extrapolations of neighbours by first order, L₁, L₂, …, have differences D that fall by 0.35 or
-/// more each time h is halved (what is left of an error a h + b h² falls by 1/4, of a h + b h^{3/2} by 0.354; of one
-/// that is irregular, a(h) h with any |a| ≤ K, by 1/2 at best), the last two of them, or are below `noise`. What is
-/// then still to come is less than 0.35/(1 − 0.35) = 0.54 of the last difference if it goes on so; as two differences may
-/// fall so by chance, the uncertainty is twice the last.
+/// Smooth: Richardson's extrapolations of neighbours by first order, L₁, L₂, …, have differences D of which each of
+/// the last two is at most 0.35 of the one before (of an error a h + b h² it is 1/4 as h is halved, of a h + b h^{3/2}
+/// 0.354, of one that is irregular, a(h) h with any |a| ≤ K, about 1/2), or below `noise`. What is
+/// then still to come is less than 0.35/(1 − 0.35) = 0.54 of the last difference if it goes on so; as two may fall so
+/// by chance, the uncertainty is twice the last.
 /// Otherwise the limit is the finest value, and errors of first order, |d(h) − L| ≤ K h, are off by K h there: K is
 /// taken as twice the greatest |d(h) − d(finest)|/h.
-/// Values that do not settle (the greater of the last two differences of neighbours, over h, exceeds four times the
-/// greatest of those before: over three halvings that is an order below 1/3) are taken to wander on: the limit is known
+/// Values that do not settle (the greater of the last two differences of neighbours, over h, exceeds 2.5 times the
+/// greatest of those before: over two halvings that is an order below 1/3) are taken to wander on: the limit is known
 /// to twice the greater of those two differences.
 Limit limit_of(const std::vector<double>& h, const std::vector<double>& values, double noise);
 

@@ -89,7 +89,8 @@ Oblique stepped(const Case& of, Oblique at, const Meeting& meeting, Rule rule, d
   const double mu = contact.friction.mu_static(), mass_eff = 1 / (inverse(at.mass[0]) + inverse(at.mass[1]));
   double overlap = -0.5 * step * at.rate;
   Slider slider(rule);
-  for (double time = 0; time < of.duration; time += step) {
+  const long count = std::lround(of.duration / step);
+  for (long n = 0; n < count; ++n) {
     overlap += at.rate * step;
     if (overlap <= 0) continue;
     double repulsion = force(meeting.law, {overlap, at.rate}, 0).value();

@@ -22,8 +22,8 @@ enum class Velocities {
 std::optional<Run> half_step_run(const Case& of, int steps, Velocities velocities);
 
 /// One oblique collision with an engine's rule for tangential spring and dashpot, in the limit of small steps (two
-/// runs, extrapolated; 1e-6), the forces acting `place` overlaps inside the spheres: 0, at a radius, to 1. Of cases of one
-/// collision with a spring and without torsion; else nothing.
+/// runs, extrapolated; 1e-6), the forces acting `place` overlaps inside the spheres: 0, at a radius, to 1. Of cases of
+/// one collision with a spring and without torsion; else nothing.
 std::optional<Solution> by_rule(const Case& of, Rule rule, double place);
 
 }  // namespace ricochet::verify::conformance

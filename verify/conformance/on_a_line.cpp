@@ -39,7 +39,7 @@ double force(const AnyLaw& law, Approach a) {
 
 class Line {
  public:
-  explicit Line(const Case& of) : masses_(), gravity_(dot(of.gravity, axis_of(of))) {
+  explicit Line(const Case& of) : gravity_(dot(of.gravity, axis_of(of))) {
     const Vec3 axis = axis_of(of);
     for (const Body& b : of.bodies) masses_.push_back(b.mass);
     const std::size_t n = of.bodies.size();

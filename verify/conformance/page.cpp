@@ -138,7 +138,7 @@ std::string conformance_page(const std::vector<EngineGrade>& engines, const Fact
       "about it.</p>\n{}{}",
       engines.front().cases.size(), engines.size(), contents(engines),
       console::html_table(engine_table(engines), {.id = "engines", .shown = 40}),
-      console::html_table(side_by_side(engines), {.id = "cases", .shown = 100}));
+      console::html_table(side_by_side(engines, Heads::names), {.id = "cases", .shown = 100}));
   for (const EngineGrade& e : engines) body += section(e);
   body += verdicts() + sources(engines.front()) + made(made_by);
   body += fmt::format("</main>\n<footer><p>{}. SI units unless a column says otherwise.</p></footer>\n</div>\n",

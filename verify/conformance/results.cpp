@@ -35,6 +35,16 @@ constexpr std::array columns{console::CsvColumn{"case", "", true},
                              console::CsvColumn{"max_overlap", "m"},
                              console::CsvColumn{"note"}};
 constexpr int most_steps = 10'000'000;
+constexpr double greatest = 1e100;
+
+/// Words of a file that go on to terminals and other files: no control characters, no beginning like a formula's.
+std::string harmless(std::string_view text) {
+  while (!text.empty() && std::string_view("=+-@ ").find(text.front()) != std::string_view::npos) text.remove_prefix(1);
+  std::string words(text);
+  for (char& c : words)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return words;
+}
 
 /// "# key: value" of the file's remarks; empty where there is none.
 std::string remark(std::string_view text, std::string_view key) {
@@ -45,9 +55,8 @@ std::string remark(std::string_view text, std::string_view key) {
     while (line.starts_with(' ')) line.remove_prefix(1);
     if (!line.starts_with(key) || !line.substr(key.size()).starts_with(':')) continue;
     line.remove_prefix(key.size() + 1);
-    while (line.starts_with(' ')) line.remove_prefix(1);
     while (line.ends_with(' ')) line.remove_suffix(1);
-    return std::string(line);
+    return harmless(line);
   }
   return {};
 }
@@ -68,7 +77,7 @@ class Reader {
   void read_row() {
     const Case& of = case_of_row();
     CaseResult& result = result_of(of);
-    if (rows_.has(note) && !rows_.text(note).empty()) result.note = rows_.text(note);
+    if (rows_.has(note) && !rows_.text(note).empty()) result.note = harmless(rows_.text(note));
     if (!rows_.has(steps) || rows_.text(steps).empty()) {
       if (result.note.empty()) rows_.fail("steps = : must be a whole number, or there is a note why it was not run");
       if (!seen_.insert({of.name, 0, 0}).second) rows_.reject(name, "given once without steps");
@@ -79,9 +88,9 @@ class Reader {
     if (!seen_.insert({of.name, n, which}).second) rows_.reject(body, "given once a case and steps");
     Run& run = run_of(result, of, n);
     Body& b = run.bodies[which - 1];
-    b.position = {rows_.number(x), rows_.number(y), rows_.number(z)};
-    b.velocity = {rows_.number(vx), rows_.number(vy), rows_.number(vz)};
-    b.spin = {rows_.number(wx), rows_.number(wy), rows_.number(wz)};
+    b.position = {number(x), number(y), number(z)};
+    b.velocity = {number(vx), number(vy), number(vz)};
+    b.spin = {number(wx), number(wy), number(wz)};
     if (which != 1) return;
     run.contact_time = optional_number(contact_time);
     run.max_overlap = optional_number(max_overlap);
@@ -107,9 +116,15 @@ class Reader {
     if (!(value >= 1 && value <= most && value == std::floor(value))) rows_.reject(column, accepted);
     return static_cast<int>(value);
   }
+  /// What squares and quotients of two are still finite of.
+  double number(Column column) {
+    const double value = rows_.number(column);
+    if (std::abs(value) > greatest) rows_.reject(column, fmt::format("at most {:g}", greatest));
+    return value;
+  }
   std::optional<double> optional_number(Column column) {
     if (!rows_.has(column) || rows_.text(column).empty()) return std::nullopt;
-    return rows_.number(column);
+    return number(column);
   }
   void check_bodies(const CaseResult& result) const {
     for (const Run& run : result.runs)

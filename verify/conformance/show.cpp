@@ -27,6 +27,19 @@ std::string of_energy(const CaseGrade& grade) {
   return {};
 }
 
+/// As short as a column among many needs it.
+console::Cell short_cell(const CaseGrade& grade) {
+  const Graded* worst = grade.worst();
+  switch (grade.verdict) {
+    case Verdict::exact: return "exact";
+    case Verdict::converges: return worst->order_uncertainty <= 0.5 ? console::fixed(worst->order, 1) : "right";
+    case Verdict::elsewhere: return percent(std::abs(worst->limit.value));
+    case Verdict::does_not_converge: return "no limit";
+    case Verdict::not_run: break;
+  }
+  return console::blank();
+}
+
 console::Cell number_of(const Graded* g, double Graded::*member) {
   return g ? console::number_or_blank(g->*member) : console::blank();
 }
@@ -90,7 +103,8 @@ std::string why(const CaseGrade& grade) {
 }
 
 Table engine_table(const std::vector<EngineGrade>& engines) {
-  Table table({{"engine"},
+  Table table({{"no"},
+               {"engine"},
                {"version"},
                {"date"},
                {"exact"},
@@ -100,25 +114,25 @@ Table engine_table(const std::vector<EngineGrade>& engines) {
                {"not run"}},
               "Engines, by the number of cases");
   for (const EngineGrade& e : engines)
-    table.row({e.results.engine, e.results.version, e.results.date, whole(e.count(Verdict::exact)),
-               whole(e.count(Verdict::converges)), whole(e.count(Verdict::elsewhere)),
+    table.row({static_cast<std::int64_t>(table.rows().size() + 1), e.results.engine, e.results.version, e.results.date,
+               whole(e.count(Verdict::exact)), whole(e.count(Verdict::converges)), whole(e.count(Verdict::elsewhere)),
                whole(e.count(Verdict::does_not_converge)), whole(e.count(Verdict::not_run))});
   return table;
 }
 
-Table side_by_side(const std::vector<EngineGrade>& engines) {
+Table side_by_side(const std::vector<EngineGrade>& engines, Heads heads) {
   std::vector<console::Column> columns{{"case"}};
-  for (const EngineGrade& e : engines) columns.push_back({label(e.results)});
+  for (const EngineGrade& e : engines)
+    columns.push_back({heads == Heads::names ? label(e.results) : std::to_string(columns.size())});
   Table table(columns, "Cases by engine");
   for (std::size_t i = 0; !engines.empty() && i < engines.front().cases.size(); ++i) {
     std::vector<console::Cell> cells{engines.front().cases[i].of->name};
-    for (const EngineGrade& e : engines)
-      cells.push_back(e.cases[i].verdict == Verdict::not_run ? console::blank() : console::Cell(in_short(e.cases[i])));
+    for (const EngineGrade& e : engines) cells.push_back(short_cell(e.cases[i]));
     table.row(cells);
   }
   table.note(
-      "order: with which the error of the number that is farthest off falls; off by: the limit, as a share of the "
-      "answer's scale; -: not run.");
+      "A number: it converges to the answer with this order (of the number that is farthest off; right: no order is to "
+      "be seen). A share: it converges elsewhere, off by this of the answer's scale. -: not run.");
   return table;
 }
 

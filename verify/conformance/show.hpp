@@ -13,10 +13,12 @@ namespace ricochet::verify::conformance {
 /// "LAMMPS 29 Sep 2021".
 std::string label(const Results& results);
 
-/// One row an engine: how many cases of each verdict.
+/// One row an engine, numbered: how many cases of each verdict.
 console::Table engine_table(const std::vector<EngineGrade>& engines);
+/// What a column of the table by engines is called: in a page there is room for names, on a terminal for numbers.
+enum class Heads { names, numbers };
 /// One row a case, one column an engine.
-console::Table side_by_side(const std::vector<EngineGrade>& engines);
+console::Table side_by_side(const std::vector<EngineGrade>& engines, Heads heads);
 /// One row a case of each engine, for data.
 console::Table grade_table(const std::vector<EngineGrade>& engines);
 /// What is elsewhere, or does not converge, and why.

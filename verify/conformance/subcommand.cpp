@@ -129,9 +129,13 @@ class Conformance : public Study {
   StudyResult compared(const std::vector<Case>& cases) const {
     const std::vector<Answered> all = answered(cases);
     const bool ours = results_.empty();
-    std::vector<EngineGrade> engines;
+    std::vector<console::NamedFile> files;
     for (const std::string& path : ours ? std::vector{data_folder() + "/conformance"} : results_)
-      for (const std::string& file : files_of(path)) engines.push_back(graded(file, all, cases));
+      for (const std::string& file : files_of(path)) files.push_back({"--results", file});
+    console::require_apart(files, std::vector<console::NamedFile>{{"--report", page_}});
+    std::vector<EngineGrade> engines;
+    engines.reserve(files.size());
+    for (const console::NamedFile& file : files) engines.push_back(graded(file.path, all, cases));
     StudyResult result;
     result.gates = {answers_are_known(cases)};
     result.rows = console::Json::array();
@@ -142,7 +146,7 @@ class Conformance : public Study {
       result.rows.push_back(to_json(e));
       runs += e.run(), right += e.right();
     }
-    result.tables = {engine_table(engines), side_by_side(engines), cause_table(engines)};
+    result.tables = {engine_table(engines), side_by_side(engines, Heads::numbers), cause_table(engines)};
     result.data = grade_table(engines);
     result.verdict = fmt::format("{} engines, {} cases; {} of {} that were run converge to the answer.", engines.size(),
                                  cases.size(), right, runs);

@@ -220,8 +220,7 @@ std::string skipped(const std::vector<Outcome>& outcomes) {
   for (const Outcome& o : outcomes)
     if (o.result) all.insert(all.end(), o.result->skipped.begin(), o.result->skipped.end());
   if (all.empty()) return {};
-  return fmt::format("<p>Skipped, as it is not installed here: {}.</p>\n",
-                     escaped(fmt::format("{}", fmt::join(all, ", "))));
+  return fmt::format("<p>Skipped here: {}.</p>\n", escaped(fmt::format("{}", fmt::join(all, ", "))));
 }
 
 }  // namespace

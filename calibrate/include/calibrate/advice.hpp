@@ -28,7 +28,8 @@ enum class Stepping {
   /// the velocity forward first and the position with it, which is the same with its velocity for the one at the
   /// middle.
   half_step,
-  /// liggghts-ricochet, fractional law ended by force only: touch and end are located. Second order.
+  /// liggghts-ricochet, lammps-ricochet; laws with a memory ended by force only: touch and end are located. Second
+  /// order.
   located
 };
 
@@ -47,7 +48,7 @@ inline constexpr double step_bounds[] = {0.01, 0.001};
 std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Target& target,
                                    Stepping stepping = Stepping::half_step);
 
-/// Does liggghts-ricochet run it, which locates both ends of a contact? The laws that remember all, ended by force.
+/// Is it for an engine's driver, which locates both ends of a contact? The laws that remember all, ended by force.
 bool is_located(const AnyLaw& law, ContactEnd end);
 
 /// The least steps from which on the error stays within `bound`; nothing if the finest mesh does not suffice.

@@ -22,6 +22,10 @@ std::string_view text(Engine engine) noexcept;
 std::optional<Engine> engine_named(std::string_view word) noexcept;
 /// Name and version whose conventions the snippets follow.
 std::string_view version(Engine engine) noexcept;
+/// Our program that runs the laws with a memory in this engine, "lammps-ricochet"; "" where there is none.
+std::string_view driver(Engine engine) noexcept;
+/// The engine of this name, or of this driver.
+std::optional<Engine> engine_run_by(std::string_view program) noexcept;
 
 /// The tangential part of a contact as engines have it: a spring and dashpot under Coulomb's limit.
 struct TangentialPart {

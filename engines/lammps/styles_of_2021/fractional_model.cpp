@@ -45,6 +45,9 @@ void FractionalModel::check_deck() const {
   if (lmp_->comm->ghost_velocity == 0) refuse("needs comm_modify vel yes");
   if (lmp_->force->ftm2v != 1)
     refuse(fmt::format("units = {}: must be si, cgs, lj, micro or nano", lmp_->update->unit_style));
+  if (lmp_->update->whichflag == 2) refuse("minimize knows no time");
+  if (std::strncmp(lmp_->update->integrate_style, "respa", 5) == 0)
+    refuse("run_style respa looks at contacts more than once a step");
   for (int i = 0; i < lmp_->modify->nfix; ++i)
     if (lmp_->modify->fix[i]->rigid_flag != 0)
       refuse(fmt::format("fix {}: rigid bodies are not known to it", lmp_->modify->fix[i]->style));
@@ -71,7 +74,7 @@ FractionalModel::Law FractionalModel::make_law(const GivenLaw& given) {
 }
 
 const FractionalModel::Contact& FractionalModel::contact_of(const Fractional& law) {
-  const double memory = settings_.memory > 0 ? settings_.memory : default_memory_steps * kernel_step_;
+  const double memory = settings_.memory > 0 ? settings_.memory : half_step::default_memory_steps * kernel_step_;
   return contacts_.try_emplace({law.values(), memory}, law, kernel_step_, memory).first->second;
 }
 

@@ -27,7 +27,7 @@ struct GivenLaw {
 
 /// What a deck sets for all contacts of a style.
 struct Settings {
-  double memory = 0;    ///< [time]; 0: default_memory_steps steps
+  double memory = 0;    ///< [time]; 0: half_step::default_memory_steps steps
   bool energy = false;  ///< whether energies are summed up
 };
 
@@ -41,9 +41,6 @@ struct ContactEnergies {
 /// are of kinds, each with its law.
 class FractionalModel {
  public:
-  /// A contact that lasts longer than this many steps is carried on by the kernel's spring, unless `memory` says more.
-  static constexpr double default_memory_steps = 1e3;
-
   struct Touch {
     std::size_t kind;
     double mass_eff, overlap;

@@ -94,7 +94,7 @@ int GrainContacts::maxsize_restart() {
 }
 
 double GrainContacts::memory_usage() {
-  std::size_t bytes = contacts_.capacity() * sizeof(contacts_[0]);
+  std::size_t bytes = contacts_.capacity() * sizeof(std::vector<Contact>);
   for (const auto& own : contacts_) bytes += own.capacity() * sizeof(Contact);
   return static_cast<double>(bytes);
 }

@@ -10,10 +10,9 @@ namespace ricochet::lammps {
 
 /// For every grain of this rank the contacts that it has, by partner, with what they remember. A fix, so that they go
 /// where the grain goes: from place to place in memory, from rank to rank, into restart files and out of them, there
-/// for a fix of the same ID and style. A pair of two grains stands with both of them: each keeps it when they part.
+/// for a fix of the same ID and style.
 class GrainContacts : public LAMMPS_NS::Fix {
  public:
-  static constexpr const char* style_name = "FRACTIONAL_CONTACTS";
   using Partner = LAMMPS_NS::tagint;
   using History = std::array<double, half_step::ContactHistory::size>;
 
@@ -40,17 +39,19 @@ class GrainContacts : public LAMMPS_NS::Fix {
   int maxsize_restart() override;
   double memory_usage() override;
 
- private:
+ protected:
   struct Contact {
     Partner partner;
     History history;
   };
+
+  std::vector<std::vector<Contact>> contacts_;  // of owned grains
+
+ private:
   static constexpr int contact_size = 1 + static_cast<int>(half_step::ContactHistory::size);
 
   int packed_size(int i) const { return 1 + contact_size * static_cast<int>(contacts_[i].size()); }
   void fit_buffers();
-
-  std::vector<std::vector<Contact>> contacts_;  // of owned grains
 };
 
 }  // namespace ricochet::lammps

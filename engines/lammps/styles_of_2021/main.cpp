@@ -3,7 +3,7 @@
 
 #include "engine_headers.hpp"
 #include "fix_wall_fractional.hpp"
-#include "grain_contacts.hpp"
+#include "pair_contacts.hpp"
 #include "pair_fractional.hpp"
 
 #include <dlfcn.h>
@@ -33,7 +33,7 @@ void add_styles(LAMMPS_NS::LAMMPS& lmp) {
                                       RICOCHET_LAMMPS_VERSION, lmp.num_ver));
   (*lmp.force->pair_map)["fractional"] = &make_pair_style<PairFractional>;
   (*lmp.modify->fix_map)["wall/fractional"] = &make_fix<FixWallFractional>;
-  (*lmp.modify->fix_map)[GrainContacts::style_name] = &make_fix<GrainContacts>;
+  (*lmp.modify->fix_map)[PairContacts::style_name] = &make_fix<PairContacts>;
 }
 
 }  // namespace

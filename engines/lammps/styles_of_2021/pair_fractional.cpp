@@ -8,8 +8,6 @@
 
 namespace ricochet::lammps {
 
-using LAMMPS_NS::ubuf;
-
 namespace {
 
 constexpr const char* contacts_id = "FRACTIONAL_CONTACTS";
@@ -95,7 +93,7 @@ void PairFractional::claim_contacts() {
   if (contacts_) return;
   if (modify->find_fix(contacts_id) >= 0) model_.refuse("only one pair style fractional at a time");
   contacts_ =
-      static_cast<GrainContacts*>(modify->add_fix(fmt::format("{} all {}", contacts_id, GrainContacts::style_name)));
+      static_cast<PairContacts*>(modify->add_fix(fmt::format("{} all {}", contacts_id, PairContacts::style_name)));
 }
 
 // Of grains that are there on any rank and those that a fix will bring.
@@ -156,8 +154,7 @@ void PairFractional::compute(int eflag, int vflag) {
   pvector[1] = model_.energies().lost;
 }
 
-// With newton off a pair of two ranks is stepped by both, with the same numbers; one within a rank once, and its memory
-// stands with both grains.
+// With newton off a pair of two ranks is stepped by both, with the same numbers; one within a rank once.
 void PairFractional::pass(int i, int j, const double* apart, double rsq) {
   const LAMMPS_NS::Atom& grains = *atom;
   const double r = std::sqrt(rsq);
@@ -168,7 +165,7 @@ void PairFractional::pass(int i, int j, const double* apart, double rsq) {
   const double force = model_.force(
       {kind(grains.type[i], grains.type[j]), mass_eff(i, j), ri + rj - r, -parting, std::min(ri, rj), own ? 1 : 0.5},
       history);
-  if (own) contacts_->at(j, grains.tag[i]) = history;
+  if (own) contacts_->stepped(i, j);
   const double over_r = force / r;
   double *fi = grains.f[i], *fj = grains.f[j];
   for (int d = 0; d < 3; ++d) {
@@ -179,7 +176,7 @@ void PairFractional::pass(int i, int j, const double* apart, double rsq) {
 }
 
 double PairFractional::single(int i, int j, int itype, int jtype, double rsq, double, double, double& force_over_r) {
-  const auto* history = contacts_->find(i, atom->tag[j]);
+  const auto* history = contacts_->find_pair(i, j);
   force_over_r = history ? model_.last_force(kind(itype, jtype), mass_eff(i, j), *history) / std::sqrt(rsq) : 0;
   return 0;
 }

@@ -2,7 +2,7 @@
 
 #include "engine_headers.hpp"
 #include "fractional_model.hpp"
-#include "grain_contacts.hpp"
+#include "pair_contacts.hpp"
 
 #include <vector>
 
@@ -38,7 +38,7 @@ class PairFractional : public LAMMPS_NS::Pair {
   void pass(int i, int j, const double* apart, double rsq);
 
   FractionalModel model_;
-  GrainContacts* contacts_ = nullptr;  // LAMMPS's own
+  PairContacts* contacts_ = nullptr;  // LAMMPS's own
   int types_ = 0;
   std::vector<GivenLaw> laws_;      // by kind
   std::vector<double> radius_max_;  // by type

@@ -15,11 +15,7 @@ struct EnergyTally {
   std::int64_t stored_at = -1;  ///< the step that `stored` is of; −1: none
   double stored = 0, dissipated = 0;
 
-  void add_stored(std::int64_t step, double energy) noexcept {
-    if (stored_at != step) stored = 0;
-    stored_at = step;
-    stored += energy;
-  }
+  void add_stored(std::int64_t step, double energy) noexcept;
 };
 
 /// The one that all sub-models of `lmp` share.

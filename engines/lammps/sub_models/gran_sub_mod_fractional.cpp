@@ -97,9 +97,10 @@ void GranSubModNormalOfLaw<Law>::mix_coeffs(double* icoeffs, double* jcoeffs) {
 
 template <class Law>
 void GranSubModNormalOfLaw<Law>::init() {
-  if (!dynamic_cast<GranSubModDampingFractional*>(gm->damping_model))
+  const GranSubModDamping& given = *gm->damping_model;
+  if (!dynamic_cast<const GranSubModDampingFractional*>(&given))
     error->all(FLERR, "granular model " + name + " takes damping fractional, or fractional/memory TIME, and finds " +
-                          gm->damping_model->name);
+                          given.name);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -141,27 +142,43 @@ void GranSubModNormalOfLaw<Law>::begin_run() {
 template <class Law>
 double GranSubModNormalOfLaw<Law>::calculate_forces() {
   if (first_step != update->firststep || last_step != update->laststep) begin_run();
+  const double radius = gm->contact_type == PAIR ? std::min(gm->radi, gm->radj) : gm->radi;
+  if (watch.is_lightest(0, gm->meff) || watch.is_soft(gm->delta, radius)) watch_contact(radius);
   double* memory = &gm->history[history_index];
-  watch_contact(memory);
   const auto step = static_cast<double>(update->ntimestep);
-  // While a run is set up, and for whoever asks afterwards, the force is the one found when the step was taken.
-  if (gm->history_update && !ContactHistory::is_at(memory, step)) {
-    advance(memory, step);
-  } else if (energies.wanted && update->setupflag && !(gm->contact_type == PAIR && gm->calculate_svector)) {
-    tally(law->contact().stored_energy(memory), 0.0);
+  if (!gm->history_update || ContactHistory::is_at(memory, step)) return force_found_before(memory, step);
+  if (energies.wanted)
+    advance_and_tally(memory, step);
+  else
+    law->contact().advance(memory, step, gm->delta, -gm->vnnr, gm->dt);
+  return law->coefficient(gm->meff) * ContactHistory::repulsion(memory);
+}
+
+/* ----------------------------------------------------------------------
+   While a run is set up, and for whoever asks afterwards, the force is the
+   one found when the step was taken.
+------------------------------------------------------------------------- */
+
+template <class Law>
+double GranSubModNormalOfLaw<Law>::force_found_before(const double* memory, double step) {
+  const bool asked = gm->contact_type == PAIR && gm->calculate_svector;  // by Pair::single()
+  const bool found = ContactHistory::is_at(memory, step);
+  if (update->setupflag && !asked) {
+    if (memory[ContactHistory::stamp] != 0 && !found) hand_on(watch.look_at_memory(update->ntimestep));
+    if (energies.wanted) tally(law->contact().stored_energy(memory), 0.0);
   }
-  return ContactHistory::is_at(memory, step) ? law->coefficient(gm->meff) * ContactHistory::repulsion(memory) : 0.0;
+  return found ? law->coefficient(gm->meff) * ContactHistory::repulsion(memory) : 0.0;
 }
 
 /* ---------------------------------------------------------------------- */
 
 template <class Law>
-void GranSubModNormalOfLaw<Law>::advance(double* memory, double step) {
+void GranSubModNormalOfLaw<Law>::advance_and_tally(double* memory, double step) {
   const LocatedContact<Law>& contact = law->contact();
   std::array<double, ContactHistory::size> before{};
-  if (energies.wanted) std::copy_n(memory, before.size(), before.begin());
+  std::copy_n(memory, before.size(), before.begin());
   contact.advance(memory, step, gm->delta, -gm->vnnr, gm->dt);
-  if (energies.wanted) tally(contact.stored_energy(memory), contact.dissipated_energy(before.data(), memory, gm->dt));
+  tally(contact.stored_energy(memory), contact.dissipated_energy(before.data(), memory, gm->dt));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -188,13 +205,9 @@ double GranSubModNormalOfLaw<Law>::linear_damping() {
 /* ---------------------------------------------------------------------- */
 
 template <class Law>
-void GranSubModNormalOfLaw<Law>::watch_contact(const double* memory) {
+void GranSubModNormalOfLaw<Law>::watch_contact(double radius) {
   if (watch.is_lightest(0, gm->meff)) hand_on(watch.look_at_step(0, gm->meff, law->tcol(gm->meff), gm->dt));
-  const double radius = gm->contact_type == PAIR ? std::min(gm->radi, gm->radj) : gm->radi;
   if (watch.is_soft(gm->delta, radius)) hand_on(watch.soft(gm->delta, radius));
-  const auto step = static_cast<double>(update->ntimestep);
-  if (update->setupflag && memory[ContactHistory::stamp] != 0 && !ContactHistory::is_at(memory, step))
-    hand_on(watch.look_at_memory(update->ntimestep));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -215,6 +228,7 @@ template <class Law>
 GranSubModNormalByParameters<Law>::GranSubModNormalByParameters(GranularModel* gm, LAMMPS* lmp)
     : GranSubModNormalOfLaw<Law>(gm, lmp, [] {
         std::vector<typename GranSubModNormalOfLaw<Law>::Coefficient> all;
+        all.reserve(Law::parameters.size() + 1);
         for (const auto& parameter : Law::parameters) all.push_back({capitals(parameter.name), {}});
         if (knows_velocity<Law>) all.push_back({"VELOCITY", {}});
         return all;
@@ -271,10 +285,10 @@ GranSubModDampingFractional::GranSubModDampingFractional(GranularModel* gm, LAMM
 /* ---------------------------------------------------------------------- */
 
 void GranSubModDampingFractional::init() {
-  normal = dynamic_cast<GranSubModNormalRemembering*>(gm->normal_model);
+  GranSubModNormal& given = *gm->normal_model;
+  normal = dynamic_cast<GranSubModNormalRemembering*>(&given);
   if (!normal)
-    error->all(FLERR, "damping " + name + " goes with the granular models fractional alone, not with " +
-                          gm->normal_model->name);
+    error->all(FLERR, "damping " + name + " goes with the granular models fractional alone, not with " + given.name);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -301,8 +315,7 @@ void GranSubModDampingFractionalMemory::coeffs_to_local() {
   }
 }
 
-namespace LAMMPS_NS {
-namespace Granular_NS {
+namespace LAMMPS_NS::Granular_NS {
 template class GranSubModNormalByParameters<ricochet::Fractional>;
 template class GranSubModNormalByParameters<ricochet::FractionalKelvinVoigt>;
 template class GranSubModNormalByParameters<ricochet::FractionalHertz>;
@@ -311,5 +324,4 @@ template class GranSubModNormalByTarget<ricochet::Fractional>;
 template class GranSubModNormalByTarget<ricochet::FractionalKelvinVoigt>;
 template class GranSubModNormalByTarget<ricochet::FractionalHertz>;
 template class GranSubModNormalByTarget<ricochet::FractionalZener>;
-}  // namespace Granular_NS
-}  // namespace LAMMPS_NS
+}  // namespace LAMMPS_NS::Granular_NS

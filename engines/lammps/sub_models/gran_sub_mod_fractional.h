@@ -33,8 +33,7 @@ GranSubModStyle(fractional/memory,GranSubModDampingFractionalMemory,DAMPING);
 #include <string>
 #include <vector>
 
-namespace LAMMPS_NS {
-namespace Granular_NS {
+namespace LAMMPS_NS::Granular_NS {
 
 // What `damping fractional` asks of its normal model.
 class GranSubModNormalRemembering : public GranSubModNormal {
@@ -75,8 +74,9 @@ class GranSubModNormalOfLaw : public GranSubModNormalRemembering {
  private:
   void choose_law(double dt, double memory);
   void begin_run();
-  void watch_contact(const double* memory);
-  void advance(double* memory, double step);
+  void watch_contact(double radius);
+  double force_found_before(const double* memory, double step);
+  void advance_and_tally(double* memory, double step);
   void tally(double energy, double lost);
   void hand_on(const std::optional<Remark>&);
 
@@ -144,8 +144,7 @@ class GranSubModDampingFractionalMemory : public GranSubModDampingFractional {
   double memory() const override { return coeffs[0]; }
 };
 
-}  // namespace Granular_NS
-}  // namespace LAMMPS_NS
+}  // namespace LAMMPS_NS::Granular_NS
 
 #endif
 #endif

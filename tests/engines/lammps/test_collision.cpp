@@ -72,6 +72,7 @@ TEST_CASE("k with c and α gives the collision that `collide` finds") {
                       one_law(parameters(5225, 0.297, 0.3197)) + move(dt) + dump("dump", count) + run(count)) == 0);
     const auto v = place.frames("dump").back().velocity;
     errors.push_back(std::fabs((v[1][0] - v[0][0]) / 0.5 / exact.en - 1));
+    CHECK(v[0][0] + v[1][0] == Approx(0).margin(1e-14));
   }
   std::printf("k, c, alpha: en off by %.1e, %.1e, %.1e at t_col/50, /100, /200\n", errors[0], errors[1], errors[2]);
   CHECK(errors[0] <= 1e-3);

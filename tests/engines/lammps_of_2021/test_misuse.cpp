@@ -52,6 +52,16 @@ TEST_CASE("misuse of the styles is refused with the name and the value") {
   CHECK(contains(complaint("rigid", good + "fix clump all rigid single\n"), "rigid bodies are not known"));
 }
 
+TEST_CASE("minimisation and steps within steps are refused") {
+  const auto going_on = [](const std::string& name, const std::string& last) {
+    const Workplace place(name);
+    CHECK(place.run(with(place, with_law(target(tcol, en))) + run(70) + last) == 1);
+    return place.output();
+  };
+  CHECK(contains(going_on("minimize", "minimize 0 1e-3 10 10\n"), "minimize knows no time"));
+  CHECK(contains(going_on("respa", "run_style respa 2 2 pair 1\n" + run(10)), "run_style respa"));
+}
+
 TEST_CASE("laws of two types are not mixed") {
   Box two = box;
   two.types = 2;
@@ -87,6 +97,18 @@ TEST_CASE("soft contacts, and contacts that lost their memory, are told of") {
     REQUIRE(place.run(with(place, with_law(target(tcol, en))) + run(70) + reset + run(10)) == 0);
     CHECK_FALSE(contains(place.output(), "% of the smaller radius"));
     CHECK(contains(place.output(), "reset_timestep while grains touch") == (*reset != 0));
+  }
+}
+
+TEST_CASE("a later run with another time step keeps the kernel and says so") {
+  const std::string words = "keeps the memory kernel chosen for the first run's time step";
+  for (double later : {dt, dt / 2}) {
+    const Workplace place("later");
+    REQUIRE(place.run(with(place, with_law(target(tcol, en))) + run(30) + "timestep " + number(later) + "\n" +
+                      dump("dump", 400) + run(400)) == 0);
+    CHECK(contains(place.output(), words) == (later != dt));
+    const auto v = place.frames("dump").back().velocity;
+    CHECK((v[1][0] - v[0][0]) / speed == Approx(en).epsilon(1e-3));
   }
 }
 

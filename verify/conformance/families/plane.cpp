@@ -72,7 +72,8 @@ std::vector<Case> plane_cases() {
                            "without viscous part",
                            0, rolling, 1e-5);
   const double k = values(resisted.wall_law->law).front();
-  resisted.tangential->rolling = {0.1, {0.1 * k * radius * radius, 0}};
+  // The spring that scenes of `simulate` have, (7/2) (J/m) k_t.
+  resisted.tangential->rolling = {0.1, {0.4 * k * radius * radius, 0}};
   cases.push_back(lasting(resisted, 40, 0.05));
   Body sliding = Body::of_density(0.5e-3, 1e4);
   sliding.velocity.y = 0.5;

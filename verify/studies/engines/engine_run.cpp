@@ -14,6 +14,7 @@
 #include <locale>
 #include <numbers>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include <unistd.h>
@@ -238,10 +239,20 @@ std::string last_words(const std::string& log) {
   return error.empty() ? last : error;
 }
 
+/// How a file begins to say why it stops, in LAMMPS, which can ask for its own version.
+constexpr std::string_view refusal = "Ricochet: ";
+
+void throw_refusal(const std::string& log) {
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(refusal)) throw Refused(line.substr(refusal.size()));
+}
+
 /// Runs the program in the folder.
 void run_in(const console::ScratchFolder& folder, std::vector<std::string> arguments, const char* what) {
   const console::Ran ran = console::run(
       {std::move(arguments), folder.path(), {}, {"QT_QPA_PLATFORM=offscreen", "OMPI_MCA_ess_singleton_isolated=1"}});
+  if (ran.found && ran.status != 0) throw_refusal(ran.out);
   if (!ran.found || ran.status != 0)
     throw console::Failed(fmt::format("{}: {}", what, last_words(ran.out + "\n" + ran.err)));
 }
@@ -252,12 +263,15 @@ double Grain::mass() const { return 4.0 / 3.0 * std::numbers::pi * radius * radi
 
 std::optional<EngineProgram> EngineProgram::find(Engine engine, bool fractional) {
   std::optional<std::string> command;
-  if (engine == Engine::lammps && !fractional) command = on_path("lmp");
-  if (engine == Engine::yade && !fractional) command = on_path("yade");
-  if (engine == Engine::liggghts && !fractional) command = on_path("liggghts");
-  if (engine == Engine::liggghts && fractional) {
-    command = beside_us("liggghts-ricochet");
-    if (!command) command = on_path("liggghts-ricochet");
+  if (fractional) {
+    const std::string driver(calibration::driver(engine));
+    if (driver.empty()) return std::nullopt;
+    command = beside_us(driver);
+    if (!command) command = on_path(driver);
+  } else {
+    if (engine == Engine::lammps) command = on_path("lmp");
+    if (engine == Engine::yade) command = on_path("yade");
+    if (engine == Engine::liggghts) command = on_path("liggghts");
   }
   if (!command) return std::nullopt;
   return EngineProgram(engine, *command);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <calibrate/export.hpp>
+#include <console/exit.hpp>
 
 #include <optional>
 #include <string>
@@ -50,17 +51,24 @@ struct Encounter {
 /// Before the first touch the grains fly this many steps. Not a whole number: engines meet a contact inside a step.
 constexpr double steps_before_touch = 1.5;
 
+/// What an engine is without where this version of it has not got what the file asks for: the file says so and stops.
+class Refused : public console::Failed {
+ public:
+  using Failed::Failed;
+};
+
 /// An engine that is installed on this machine.
 class EngineProgram {
  public:
-  /// Looks for `lmp`, `liggghts`, `yade` on the PATH, and for `liggghts-ricochet`, which knows the fractional law, also
-  /// beside this program. Nothing when it isn't there, or when the engine has no program that we can run.
+  /// Looks for `lmp`, `liggghts`, `yade` on the PATH, and for the drivers `liggghts-ricochet` and `lammps-ricochet`,
+  /// which know the laws with a memory, first beside this program. Nothing when it isn't there, or when the engine has
+  /// no program that we can run.
   static std::optional<EngineProgram> find(calibration::Engine engine, bool fractional = false);
 
   const std::string& command() const { return command_; }
 
-  /// Runs the encounter once for each time step [s], with the contact that the snippet sets up. Throws console::Failed
-  /// with the engine's last words when it doesn't end well.
+  /// Runs the encounter once for each time step [s], with the contact that the snippet sets up. Throws Refused where
+  /// the snippet says that this version can't, console::Failed with the engine's last words where it ends badly.
   std::vector<Trajectory> run(const std::string& snippet, const Encounter& pair,
                               const std::vector<double>& steps) const;
 

@@ -69,7 +69,9 @@ Outcome run(const EngineProgram& program, const Contact& what) {
           std::max(outcome.repeated.value_or(0), std::abs(outcome.at[i].en / measure(*path, steps[i], what).en - 1));
   }
   const Measured &coarse = outcome.at[at_200], &fine = outcome.at[finest];
-  outcome.limit = {2 * fine.en - coarse.en, 2 * fine.tcol - coarse.tcol};
+  // Half the step makes the error half as large; of contacts whose ends are located, a quarter.
+  const double less = what.fractional ? 4 : 2;
+  outcome.limit = {(less * fine.en - coarse.en) / (less - 1), (less * fine.tcol - coarse.tcol) / (less - 1)};
   return outcome;
 }
 

@@ -18,8 +18,8 @@ struct Measured {
 /// What came out of the engine.
 struct Outcome {
   Contact what;
-  std::vector<Measured> at;             ///< over resolutions
-  Measured limit{};                     ///< extrapolated from the two finest steps, for errors of first order
+  std::vector<Measured> at;  ///< over resolutions
+  Measured limit{};  ///< extrapolated from the two finest steps, for errors of first order, by a driver of second
   std::optional<double> repeated = {};  ///< greatest relative difference of en from the engine's stepping repeated
   double error(std::size_t i) const { return std::abs(at[i].en / what.en - 1); }
 };

@@ -1,18 +1,26 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Time of a step of `pair_style fractional` beside LAMMPS's own `gran/hooke`, both frictionless on a plane, in a settled
-# packing: 1000 grains and the same ten times over. Each style settles its packing itself, so that both hold as many
-# contacts. Prints a Markdown table; microseconds of CPU time a step on one rank, the least of REPEATS runs taken in
-# turn: what else the machine does then counts least.
+# Time of a step of our styles beside LAMMPS's own linear spring and dashpot, in a settled packing on a plane: 1000
+# grains and the same ten times over. In LAMMPS of 2025 all are models of pair granular with tangential history; of 2021
+# they are frictionless, `pair_style fractional` beside `gran/hooke`. Each settles its packing itself, so that all hold
+# as many contacts. Prints a Markdown table; microseconds of CPU time a step on one rank, the least of REPEATS runs
+# taken in turn: what else the machine does then counts least.
 #   step_cost.sh [PATH-OF-lammps-ricochet]      REPEATS=5 STEPS=1000 by default, a fourth of it for 10000 grains
+#   STYLES="hooke fractional/zener" by default all; the first is what the others are compared with
 
 set -euo pipefail
 
-driver=${1:-$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../../../build/release/bin/lammps-ricochet}
+driver=${1:-$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../../build/release/bin/lammps-ricochet}
 driver=$(readlink -f "$driver")
 repeats=${REPEATS:-5} steps=${STEPS:-1000}
-styles=(gran/hooke fractional)
+if [[ $("$driver" -h 2>/dev/null) == *"Simulator - 29 Sep 2021"* ]]; then
+  read -ra styles <<<"${STYLES:-gran/hooke fractional}"
+  physics_of=physics_of_2021
+else
+  read -ra styles <<<"${STYLES:-hooke fractional fractional/kelvin_voigt fractional/hertz fractional/zener}"
+  physics_of=granular
+fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -29,7 +37,7 @@ processors * * 1
 DECK
 }
 # Collision time 4e-4 s and restitution 0.5 of two grains of 3 mm and 1000 kg/m^3.
-physics() {
+physics_of_2021() {
   case $1 in
     gran/hooke) cat <<'DECK' ;;
 pair_style gran/hooke 457.24 NULL 3465.74 NULL 0 0
@@ -42,6 +50,25 @@ pair_coeff * * target 4e-4 0.5
 fix floor all wall/fractional zplane 0 NULL target 4e-4 0.5
 DECK
   esac
+}
+granular() {
+  local parts="damping fractional tangential linear_history 457.24 1 0.5" pair wall
+  case $1 in
+    hooke) parts="damping mass_velocity ${parts#*fractional }"
+      pair="hooke 457.24 3465.74 $parts" wall="hooke 914.48 3465.74 $parts" ;;
+    fractional) pair="$1/target 4e-4 0.5 $parts" wall=$pair ;;
+    fractional/kelvin_voigt) pair="$1/target 4e-4 0.5 NULL $parts" wall=$pair ;;
+    fractional/hertz) pair="$1/target 4e-4 0.5 NULL 1 $parts" wall=$pair ;;
+    fractional/zener) pair="$1/target 4e-4 0.5 NULL NULL $parts" wall=$pair ;;
+  esac
+  cat <<DECK
+pair_style granular
+pair_coeff * * $pair
+fix floor all wall/gran granular $wall zplane 0 NULL
+DECK
+}
+physics() {
+  "$physics_of" "$1"
   cat <<'DECK'
 neighbor 0.0006 bin
 neigh_modify delay 0
@@ -61,7 +88,7 @@ awk 'BEGIN {
 
 run() { # DECK: its CPU time [s] in cpu.out
   local TIMEFORMAT='%U %S'
-  { time "$driver" -in "$1" -log none >run.out; } 2>cpu.out || { grep ERROR run.out >&2; exit 4; }
+  { time "$driver" -in "$1" -log none >run.out 2>run.err; } 2>cpu.out || { grep ERROR run.out >&2; exit 4; }
 }
 
 settle() { # STYLE GRAINS STEPS < data: settled packing as a restart file and as positions
@@ -105,7 +132,7 @@ for style in "${styles[@]}"; do
   settle "$style" 10000 4000 <ten.data
 done
 
-printf '| grains | pair_style | a step [µs] | of %s | contacts a grain |\n|---:|---|---:|---:|---:|\n' "${styles[0]}"
+printf '| grains | style | a step [µs] | of %s | contacts a grain |\n|---:|---|---:|---:|---:|\n' "${styles[0]}"
 for grains in 1000 10000; do
   for ((i = 0; i < repeats; i++)); do
     for style in "${styles[@]}"; do

@@ -1,0 +1,182 @@
+#include "conformance_cases.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+
+using namespace ricochet;
+using namespace ricochet::verify::conformance;
+
+namespace {
+
+const std::vector<double> halved{0.04, 0.02, 0.01, 0.005, 0.0025, 0.00125};
+const std::vector<int> usual{25, 50, 100, 200, 400, 800};
+
+template <class F>
+Limit limit_of_function(const F& f, double noise = 0) {
+  std::vector<double> values;
+  for (const double h : halved) values.push_back(f(h));
+  return limit_of(halved, values, noise);
+}
+
+template <class F>
+CaseGrade graded(const std::string& name, const F& error, const std::vector<int>& steps = usual) {
+  const Answered a = answered_case(name);
+  const CaseResult result = off_by(a, steps, error);
+  CaseGrade g = grade(a, &result);
+  g.of = nullptr;  // of this scope
+  return g;
+}
+
+}  // namespace
+
+TEST_CASE("conformance: limits of smooth values are extrapolated, and known to more than they are off by") {
+  for (const double order : {1.0, 1.5, 2.0, 3.0}) {
+    INFO(order);
+    // What is left of a pure power but for the first is less than what the last two extrapolations differ by, twice.
+    const Limit l = limit_of_function([&](double h) { return 3 + std::pow(h, order); });
+    CHECK(l.settles);
+    CHECK(std::abs(l.value - 3) <= l.uncertainty + 1e-14);
+  }
+  const Limit l = limit_of_function([](double h) { return 3 + h + h * h; });
+  // 2 d(h) − d(2h) leaves −2 h² at the finest h, and differs by 6 h² from the one before.
+  const double h = halved.back();
+  CHECK(l.value - 3 == Approx(-2 * h * h).epsilon(1e-6));
+  CHECK(l.uncertainty == Approx(2 * 6 * h * h).epsilon(1e-6));
+}
+
+TEST_CASE("conformance: irregular errors of first order are not extrapolated") {
+  const std::array<double, 6> irregular{0.9, -0.3, 0.7, -0.8, 0.2, -0.6};
+  std::vector<double> values;
+  double bound = 0;
+  for (std::size_t i = 0; i < halved.size(); ++i) values.push_back(irregular[i] * halved[i]);
+  const Limit l = limit_of(halved, values, 0);
+  CHECK(l.settles);
+  CHECK_FALSE(l.smooth);
+  CHECK(l.value == values.back());
+  for (std::size_t i = 0; i + 1 < halved.size(); ++i)
+    bound = std::max(bound, std::abs(values[i] - values.back()) / halved[i]);
+  CHECK(l.uncertainty == Approx(2 * bound * halved.back()));
+  CHECK(std::abs(l.value) < l.uncertainty);
+}
+
+TEST_CASE("conformance: how fast extrapolations must fall to be believed") {
+  // a h + b h^q: their differences fall by 2^−q; 0.35 is q = 1.515.
+  CHECK(limit_of_function([](double h) { return h + std::pow(h, 1.53); }).smooth);
+  CHECK_FALSE(limit_of_function([](double h) { return h + std::pow(h, 1.50); }).smooth);
+  // Below the noise nothing has to fall.
+  const auto rough = [](double h) { return h + (h < 0.003 ? 1e-9 * std::sin(1e7 * h) : 0); };
+  CHECK_FALSE(limit_of_function(rough).smooth);
+  CHECK(limit_of_function(rough, 1e-8).smooth);
+}
+
+TEST_CASE("conformance: values that do not settle are known to how they wander") {
+  // Over two halvings the greatest change per h grows by 4^(1−p): 2.5 at p = 0.339.
+  const auto power = [](double p) { return limit_of_function([=](double h) { return std::pow(h, p); }); };
+  CHECK(power(0.36).settles);
+  CHECK_FALSE(power(0.30).settles);
+  const Limit l = limit_of(halved, {0, 1, 0, 1, 0, 1}, 0);
+  CHECK_FALSE(l.settles);
+  CHECK(l.value == 1);
+  CHECK(l.uncertainty == 2);
+  // What is below the noise does not wander.
+  CHECK(limit_of(halved, {0, 1e-9, 0, 1e-9, 0, 1e-9}, 1e-8).settles);
+}
+
+TEST_CASE("conformance: every verdict, from both sides of what decides it") {
+  const std::string name = "normal-linear-force";
+  const double floor = answered_case(name).answers[0].error / 0.5 + rounding;
+  CHECK(graded(name, [&](int) { return 0.9 * floor; }).verdict == Verdict::exact);
+  CHECK(graded(name, [&](int n) { return (n == 25 ? 1.2 : 0.9) * floor; }).verdict == Verdict::converges);
+  CHECK(graded(name, [&](int) { return 2.5 * floor; }).verdict == Verdict::elsewhere);
+
+  // a h + b h² is known to 12 b h².
+  const double h = 1.0 / 800, known = 12 * h * h;
+  const auto to = [&](double limit) { return [=](int n) { return limit + 1.0 / n + 1.0 / n / n; }; };
+  CHECK(graded(name, to(0)).verdict == Verdict::converges);
+  CHECK(graded(name, to(0.9 * known)).verdict == Verdict::converges);
+  CHECK(graded(name, to(-0.7 * known)).verdict == Verdict::converges);
+  CHECK(graded(name, to(1.3 * known)).verdict == Verdict::elsewhere);
+  CHECK(graded(name, to(-1.0 * known)).verdict == Verdict::elsewhere);
+  CHECK(graded(name, to(0.3)).verdict == Verdict::elsewhere);
+
+  // Values that jump by d are known to 2 d.
+  const auto jumps = [](double d) { return [=](int n) { return n == 25 || n == 100 || n == 400 ? d : 0; }; };
+  CHECK(graded(name, jumps(0.6 * least_known)).verdict == Verdict::does_not_converge);
+  CHECK(graded(name, jumps(0.4 * least_known)).verdict == Verdict::converges);
+  CHECK(graded(name, [&](int n) { return 0.5 + jumps(0.4 * least_known)(n); }).verdict == Verdict::elsewhere);
+
+  CHECK(graded(name, to(0), {25, 50, 100}).verdict == Verdict::not_run);
+  CHECK(graded(name, to(0), {25, 50, 100, 200}).verdict == Verdict::converges);
+  CHECK(grade(answered_case(name), nullptr).verdict == Verdict::not_run);
+  CHECK(grade(answered_case(name), nullptr).note == "not in the file");
+  const CaseResult noted{name, {}, "no such law"};
+  CHECK(grade(answered_case(name), &noted).note == "no such law");
+}
+
+TEST_CASE("conformance: the order of the errors is observed") {
+  for (const double order : {1.0, 2.0}) {
+    const CaseGrade g = graded("wall-elastic", [&](int n) { return std::pow(n, -order); });
+    REQUIRE(g.worst());
+    CHECK(g.worst()->order == Approx(order).margin(0.02));
+  }
+  // From the limit where that is elsewhere.
+  const CaseGrade g = graded("wall-elastic", [](int n) { return 0.3 + 2.0 / n; });
+  CHECK(g.verdict == Verdict::elsewhere);
+  CHECK(g.worst()->order == Approx(1).margin(0.02));
+  CHECK(g.worst()->limit.value == Approx(0.3).epsilon(1e-9));
+}
+
+TEST_CASE("conformance: the worst required answer decides, what engines need not report does not") {
+  const Answered a = answered_case("normal-linear-force");
+  CaseResult result = off_by(a, usual, [](int) { return 0.0; });
+  CHECK(grade(a, &result).verdict == Verdict::exact);
+  CHECK(grade(a, &result).answers.size() == 3);
+  for (Run& run : result.runs) run.max_overlap = 1, run.contact_time = a.solution.contact_time;
+  CHECK(grade(a, &result).verdict == Verdict::exact);
+  CHECK(grade(a, &result).answers.size() == 5);
+  result.runs[2].contact_time.reset();
+  CHECK(grade(a, &result).answers.size() == 4);
+  // The second body alone is wrong; that the bodies are then elsewhere moves their separation, too.
+  for (Run& run : result.runs) run.bodies[1].velocity.x += 0.05;
+  const CaseGrade g = grade(a, &result);
+  CHECK(g.verdict == Verdict::elsewhere);
+  CHECK(g.answers[0].verdict == Verdict::exact);
+  CHECK(g.error_at(0) == Approx(0.1));
+}
+
+TEST_CASE("conformance: energy that is made or lost in the limit") {
+  // 34 % more energy is √1.34 of the speed: walls that gained it.
+  const double too_fast = std::sqrt(1.34) - 1;
+  const CaseGrade more = graded("wall-elastic", [&](int) { return too_fast; });
+  REQUIRE(more.energy);
+  CHECK(more.energy->limit == Approx(1.34).epsilon(1e-12));
+  CHECK(more.energy->exact == Approx(1).epsilon(1e-10));
+  CHECK(more.energy->made());
+  CHECK_FALSE(more.energy->lost());
+  const CaseGrade less = graded("wall-elastic", [&](int) { return -0.1; });
+  CHECK(less.energy->lost());
+  CHECK_FALSE(less.energy->made());
+  const CaseGrade right = graded("wall-elastic", [&](int n) { return 1.0 / n; });
+  CHECK_FALSE(right.energy->made());
+  CHECK_FALSE(right.energy->lost());
+  const Answered falling = answered_case("dem01-fall");
+  CaseResult result{"dem01-fall"};
+  for (const int n : usual) result.runs.push_back({n, falling.solution.bodies});
+  CHECK_FALSE(grade(falling, &result).energy);
+}
+
+TEST_CASE("conformance: separation is read from the straight flight after the contact") {
+  for (const char* name : {"normal-linear-force", "wall-linear-overlap", "unequal-radii"}) {
+    const Answered a = answered_case(name);
+    const CaseResult result = off_by(a, {100}, [](int) { return 0.0; });
+    const Asked asked{Quantity::separation, 1, 1};
+    CHECK(measured(a.of, result.runs[0], asked) == Approx(a.solution.separation).epsilon(1e-9));
+  }
+  // Bodies that never part.
+  const Answered a = answered_case("wall-elastic");
+  Run run{100, a.of.bodies};
+  run.bodies[0].velocity.x = -1;
+  CHECK(measured(a.of, run, {Quantity::separation, 1, 1}) == a.of.end_of_run(100));
+}
