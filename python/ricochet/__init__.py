@@ -25,6 +25,21 @@ from ._core import Fit, ImpactBody, Interaction, Law, TangentialContact, Wall, _
 Number = Union[float, NDArray[np.float64]]
 
 
+def mittag_leffler(a: ArrayLike, b: ArrayLike, x: ArrayLike) -> Number:
+    """E_{a,b}(x) = sum x^k/Gamma(a k + b), elementwise, for 0 < a <= 3, 0 < b <= 120, -1e6 <= x <= 5.
+
+    Relative error 1e-13 and 20 roundings of x.
+    """
+    np.broadcast(a, b, x)  # a ValueError where the shapes do not fit
+    return _core.mittag_leffler(a, b, x)
+
+
+def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Number:
+    """Estimate (57) of the collision time [s], of A = c^alpha k^(1-alpha)/m [s^(alpha-2)]."""
+    np.broadcast(coefficient, alpha)
+    return _core.tcol_estimate(coefficient, alpha)
+
+
 def _broadcast(*values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple[int, ...]]:
     """The values as flat arrays of doubles of one length, and the shape that they had in common."""
     arrays = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in values))
@@ -107,7 +122,7 @@ def collide(
 
     Ended by "force" or "overlap"; method "automatic", "closed_form" or "numerical". Relative error of tcol and en
     1e-11 and better (<ricochet/collision/collision.hpp> has each law's). A collision that does not end is no error but
-    a status.
+    a status, and its tcol, en and overlap_end are not a number.
     """
     flat, shape = _broadcast(velocity, mass_eff)
     columns = _core.collide(law, *flat, end, method)
@@ -147,15 +162,16 @@ def calibrate(
     mass_eff: ArrayLike = 7.06858e-6,
     end: str = "force",
     stiffness: Optional[ArrayLike] = None,
-    alpha: float = 0.5,
-    stiffening: float = 100.0,
+    alpha: Optional[float] = None,
+    stiffening: Optional[float] = None,
     unreachable: str = "raise",
 ) -> Any:
     """The parameters by which the law of that name collides for `tcol` [s] and keeps `en` of the velocity.
 
     For numbers a law, for arrays a dict of arrays, one a parameter. What (tcol, en) leave open is held: `stiffness`
     [kg/s^2], the k of "fractional" and, where it is given, of "fractional-kelvin-voigt"; `alpha` of the laws of real
-    solids ("fractional-kelvin-voigt", "fractional-hertz", "fractional-zener") and `stiffening`, k1/k of the last.
+    solids ("fractional-kelvin-voigt", "fractional-hertz", "fractional-zener"), by default 0.5, and `stiffening`, k1/k
+    of the last, by default 100. What a law does not hold is a ValueError.
     A target that the law can't reach is a ValueError that says why and which, or, with unreachable="nan", not a
     number. Relative error 1e-11 in every parameter that (tcol, en) determine.
     """
@@ -226,6 +242,8 @@ class Cluster:
         bodies += [np.ascontiguousarray(np.broadcast_to(np.asarray(v, float), (n, 3))) for v in (velocities, spins)]
         bodies.append(np.broadcast_to(np.asarray(materials, int), (n,)).tolist())
         one = isinstance(interactions, Interaction)
+        if not one and not isinstance(interactions, Mapping):
+            raise TypeError(f"interactions = {interactions!r}: must be an Interaction or a dict of them")
         pairs = list({(0, 0): interactions}.items() if one else interactions.items())
         around = [pairs, list(walls), np.asarray(gravity, float)]
         if step is None:
@@ -290,3 +308,12 @@ class Cluster:
     def take_finished(self) -> Sequence[Mapping[str, Any]]:
         """Collisions that ended since the last call: i, j, begin, end, separation [s], how."""
         return self._engine.take_finished()
+
+
+_made_here = (__name__, _core.__name__)
+_flat = ("DirectCalibrator", "stiffest_contact")
+__all__ = ["Law", "law_names", "engine_names"] + [
+    name
+    for name, what in globals().items()
+    if getattr(what, "__module__", None) in _made_here and not name.startswith("_") and name not in _flat
+]

@@ -89,8 +89,6 @@ class MemoryKernel:
     rates: NDArray[np.float64]
     def __call__(self, t: ArrayLike) -> Any: ...
 
-def mittag_leffler(a: ArrayLike, b: ArrayLike, x: ArrayLike) -> Any: ...
-def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Any: ...
 def memory_kernel(alpha: float, shortest: float, longest: float, tolerance: float = ...) -> MemoryKernel: ...
 
 class Spring:
@@ -159,7 +157,7 @@ class Fit:
     aic: float
     probability: float
     findings: Sequence[str]
-    def predict_en(self, velocity: ArrayLike) -> NDArray[np.float64]: ...
+    def predict_en(self, velocity: ArrayLike) -> Any: ...
 
 engine_names: Tuple[str, ...]
 
@@ -173,8 +171,8 @@ def export_law(
     engine: str,
     law: Law,
     *,
-    tcol: float,
-    en: float,
+    tcol: Optional[float] = ...,
+    en: Optional[float] = ...,
     velocity: float = ...,
     mass_eff: float = ...,
     end: str = ...,
@@ -225,8 +223,8 @@ class DirectCalibrator:
         velocity: NDArray[np.float64],
         mass_eff: NDArray[np.float64],
         stiffness: NDArray[np.float64],
-        alpha: float,
-        stiffening: float,
+        alpha: Optional[float],
+        stiffening: Optional[float],
         skip: bool,
     ) -> Mapping[str, NDArray[np.float64]]: ...
 
@@ -250,4 +248,6 @@ def collide_obliquely(*parts: Any) -> Any: ...
 def conversion_degree(*parts: Any) -> Any: ...
 def fit(*parts: Any) -> Fit: ...
 def fractional_contact(*parts: Any) -> Any: ...
+def mittag_leffler(a: ArrayLike, b: ArrayLike, x: ArrayLike) -> Any: ...
 def stiffest_contact(*parts: Any) -> float: ...
+def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Any: ...

@@ -58,6 +58,8 @@ py::object object_of(const AnyLaw& law);
 TangentialLaw tangential_law_of(const py::handle& object);
 
 std::string text_of(CollisionStatus status);
+/// As Python spells it.
+std::string spelled(double value);
 
 /// Three numbers.
 Vec3 vec3_of(const Array& array);

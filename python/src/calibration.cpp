@@ -3,6 +3,7 @@
 #include <calibrate/direct_calibrator.hpp>
 #include <calibrate/fit.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,6 +19,21 @@ using namespace calibration;
 LawKind kind_named(const std::string& name) {
   if (const auto kind = LawKind::named(name)) return *kind;
   throw std::invalid_argument("law = " + name + ": must be one of law_names");
+}
+
+/// What is to be held; nothing may be given that the law does not hold.
+Held held_by(LawKind kind, bool stiffness, std::optional<double> alpha, std::optional<double> stiffening) {
+  const std::string law(kind.name());
+  const auto refuse = [](const char* what, std::optional<double> value, const std::string& why) {
+    if (value) throw std::invalid_argument(what + (" = " + spelled(*value)) + ": " + why);
+  };
+  const bool follows = stiffness && kind == kind_of<FractionalKelvinVoigt>;
+  if (stiffness && kind != kind_of<Fractional> && !follows)
+    throw std::invalid_argument("stiffness: law " + law + " holds none");
+  if (follows) refuse("alpha", alpha, "follows from the stiffness");
+  if (!holds_degree(kind)) refuse("alpha", alpha, "law " + law + " holds none");
+  if (kind != kind_of<FractionalZener>) refuse("stiffening", stiffening, "law " + law + " holds none");
+  return {alpha.value_or(Held{}.alpha), stiffening.value_or(Held{}.stiffening)};
 }
 
 /// Columns of equal length, one row a target; stiffness not a number: none.
@@ -69,11 +85,15 @@ class Solved {
 
 py::dict calibrate_all(const DirectCalibrator& calibrator, const std::string& law, const std::string& end,
                        const Array& tcol, const Array& en, const Array& velocity, const Array& mass_eff,
-                       const Array& stiffness, double alpha, double stiffening, bool skip) {
+                       const Array& stiffness, std::optional<double> alpha, std::optional<double> stiffening,
+                       bool skip) {
   const LawKind kind = kind_named(law);
   const ContactEnd ends = end_of(end);
   require_one_length(tcol, en, velocity, mass_eff, stiffness);
-  const Targets targets{view(tcol), view(en), view(velocity), view(mass_eff), view(stiffness), {alpha, stiffening}};
+  const auto k = view(stiffness);
+  const bool any = std::any_of(k.begin(), k.end(), [](double one) { return !std::isnan(one); });
+  const Held held = held_by(kind, any, alpha, stiffening);
+  const Targets targets{view(tcol), view(en), view(velocity), view(mass_eff), k, held};
   Solved solved(kind, targets.en.size());
   {
     const py::gil_scoped_release others_go_on;
@@ -82,11 +102,19 @@ py::dict calibrate_all(const DirectCalibrator& calibrator, const std::string& la
   return solved.columns();
 }
 
+/// A standard error that is given is one; 0 would mean that it is not known.
+void require_errors(const char* name, const Array& column) {
+  for (const double error : view(column))
+    if (!(error > 0)) throw std::invalid_argument(name + (" = " + spelled(error)) + ": must be > 0");
+}
+
 /// A column that was not measured is empty.
 std::vector<Measurement> measurements(const Array& velocity, const Array& en, const Array& en_sigma, const Array& tcol,
                                       const Array& tcol_sigma) {
   for (const Array* column : {&en, &en_sigma, &tcol, &tcol_sigma})
     if (column == &en || column->size() > 0) require_one_length(velocity, *column);
+  require_errors("en_sigma", en_sigma);
+  require_errors("tcol_sigma", tcol_sigma);
   const auto v = view(velocity), e = view(en), s = view(en_sigma), t = view(tcol), ts = view(tcol_sigma);
   const auto at = [](std::span<const double> column, std::size_t i) { return column.empty() ? 0.0 : column[i]; };
   std::vector<Measurement> rows;
@@ -121,10 +149,15 @@ void bind_fit(py::module_& m) {
       .def(
           "predict_en",
           [](const Fit& fit, const Array& velocity) {
-            const auto v = view(velocity);
-            return filled(v.size(), [&](std::size_t i) { return predict(fit, v[i]).en; });
+            return py::vectorize([&fit](double v) { return predict(fit, v).en; })(velocity);
           },
-          py::arg("velocity"), "e_n that the fitted law has at these velocities [m/s].");
+          py::arg("velocity"), "e_n that the fitted law has at these velocities [m/s].")
+      .def("__repr__", [](const Fit& fit) {
+        std::string out = "Fit(" + fit_name(fit.request) + ":";
+        for (const Estimate& e : fit.parameters)
+          out += " " + e.name + "=" + spelled(e.value) + "(" + spelled(e.error) + ")";
+        return out + ", chi2=" + spelled(fit.chi2) + ", observations=" + std::to_string(fit.observations) + ")";
+      });
   m.def("fit", [](const std::string& law, const std::string& end, double mass_eff, const Array& velocity,
                   const Array& en, const Array& en_sigma, const Array& tcol, const Array& tcol_sigma) {
     return fit_law({.law = kind_named(law), .end = end_of(end), .mass_eff = mass_eff},

@@ -2,6 +2,7 @@
 
 #include <ricochet/collision/collision.hpp>
 
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -15,6 +16,13 @@ CollideMethod method_of(const std::string& word) {
   throw std::invalid_argument("method = " + word + ": must be automatic, closed_form or numerical");
 }
 
+/// C++ leaves 0 where a collision came to no end; here that is not a number.
+Collision without_zeros(Collision c) {
+  const bool came_to_rest = c.status == CollisionStatus::permanent_contact || c.status == CollisionStatus::breakage;
+  if (!c.separated() && !came_to_rest) c.tcol = c.en = c.overlap_end = std::numeric_limits<double>::quiet_NaN();
+  return c;
+}
+
 /// Of equally many velocities and masses.
 py::dict collide_all(const py::object& object, const Array& velocity, const Array& mass_eff, const std::string& end,
                      const std::string& method) {
@@ -26,7 +34,7 @@ py::dict collide_all(const py::object& object, const Array& velocity, const Arra
   all.reserve(v.size());
   {
     const py::gil_scoped_release others_go_on;
-    for (std::size_t i = 0; i < v.size(); ++i) all.push_back(collide(law, Impact{v[i], m[i]}, options));
+    for (std::size_t i = 0; i < v.size(); ++i) all.push_back(without_zeros(collide(law, Impact{v[i], m[i]}, options)));
   }
   py::dict columns;
   py::list status;

@@ -3,6 +3,8 @@
 #include <calibrate/export.hpp>
 #include <calibrate/tangential.hpp>
 
+#include <cmath>
+#include <cstdio>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -27,16 +29,41 @@ py::object tangential_for(const std::string& form, const py::object& normal, dou
   return object_of(std::get<TangentialCalibration>(found).law);
 }
 
-Snippet snippet(const std::string& engine, const py::object& law, double tcol, double en, double velocity,
-                double mass_eff, const std::string& end, std::optional<double> radius_eff,
-                std::optional<double> density, const py::object& tangential, double mu) {
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
+}
+
+/// What the law does, which is what was asked for, if anything was.
+Collision obtained(const AnyLaw& law, const Impact& impact, ContactEnd end, std::optional<double> tcol,
+                   std::optional<double> en) {
+  constexpr double allowed = 1e-6;  // of a law whose parameters were printed
+  const Collision c = collide(law, impact, {.end = end});
+  if (!c.separated()) throw std::invalid_argument("law: the collision does not end, but by " + text_of(c.status));
+  const auto compare = [](const char* name, std::optional<double> asked, double gives) {
+    if (asked && !(std::abs(*asked / gives - 1) <= allowed))
+      throw std::invalid_argument(name + (" = " + spelled(*asked)) + ": the law gives " + rounded(gives));
+  };
+  compare("tcol", tcol, c.tcol);
+  compare("en", en, c.en);
+  return c;
+}
+
+Snippet snippet(const std::string& engine, const py::object& object, std::optional<double> tcol,
+                std::optional<double> en, double velocity, double mass_eff, const std::string& end,
+                std::optional<double> radius_eff, std::optional<double> density, const py::object& tangential,
+                double mu) {
   const auto named = engine_named(engine);
   if (!named) throw std::invalid_argument("engine = " + engine + ": must be one of engine_names");
-  ExportCase what{.law = law_of(law),
+  const AnyLaw law = law_of(object);
+  const Impact impact{velocity, mass_eff};
+  const Collision gives = obtained(law, impact, end_of(end), tcol, en);
+  ExportCase what{.law = law,
                   .end = end_of(end),
-                  .tcol = tcol,
-                  .en = en,
-                  .impact = {velocity, mass_eff},
+                  .tcol = tcol.value_or(gives.tcol),
+                  .en = en.value_or(gives.en),
+                  .impact = impact,
                   .radius_eff = radius_eff,
                   .density = density};
   if (!tangential.is_none()) what.tangential = TangentialPart{tangential_law_of(tangential), mu};
@@ -55,14 +82,17 @@ void bind_exports(py::module_& m) {
           "fidelity", [](const Snippet& s) { return std::string(text(s.fidelity)); },
           "exact: the engine runs this very law; close: another one; absent: it can't")
       .def_readonly("remarks", &Snippet::remarks)
-      .def_readonly("text", &Snippet::text);
+      .def_readonly("text", &Snippet::text)
+      .def("__repr__", [](const Snippet& s) {
+        return "Snippet(" + std::string(text(s.engine)) + ", " + std::string(text(s.fidelity)) + ")";
+      });
   m.def(
-      "export_law", &snippet, py::arg("engine"), py::arg("law"), py::kw_only(), py::arg("tcol"), py::arg("en"),
-      py::arg("velocity") = 0.5, py::arg("mass_eff") = 7.06858e-6, py::arg("end") = "force",
+      "export_law", &snippet, py::arg("engine"), py::arg("law"), py::kw_only(), py::arg("tcol") = py::none(),
+      py::arg("en") = py::none(), py::arg("velocity") = 0.5, py::arg("mass_eff") = 7.06858e-6, py::arg("end") = "force",
       py::arg("radius_eff") = py::none(), py::arg("density") = py::none(), py::arg("tangential") = py::none(),
       py::arg("mu") = 0.0,
-      "The law, calibrated for tcol [s] and en at this impact, in the language of one of engine_names; radius_eff [m] "
-      "and density [kg/m^3] where an engine wants them.");
+      "The law in the language of one of engine_names; radius_eff [m] and density [kg/m^3] where an engine wants them. "
+      "tcol [s] and en are what it was calibrated for at this impact; a law that gives others is a ValueError.");
   m.def(
       "tangential_law_for", &tangential_for, py::arg("form"), py::arg("normal"), py::kw_only(), py::arg("beta0"),
       py::arg("tcol"), py::arg("en"), py::arg("velocity") = 0.5, py::arg("mass_eff") = 7.06858e-6,

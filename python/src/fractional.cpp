@@ -61,9 +61,7 @@ void bind_kernel(py::module_& m) {
 }  // namespace
 
 void bind_fractional(py::module_& m) {
-  m.def("mittag_leffler", py::vectorize(&mittag_leffler), py::arg("a"), py::arg("b"), py::arg("x"),
-        "E_{a,b}(x) = sum x^k/Gamma(a k + b), elementwise, for 0 < a <= 3, 0 < b <= 120, -1e6 <= x <= 5; relative "
-        "error 1e-13 and 20 roundings of x.");
+  m.def("mittag_leffler", py::vectorize(&mittag_leffler));
   py::class_<MittagLeffler>(m, "MittagLeffler", "E_{a,b} prepared for many x at one (a, b).")
       .def(py::init<double, double>(), py::arg("a"), py::arg("b"))
       .def_property_readonly("a", &MittagLeffler::a)
@@ -75,8 +73,7 @@ void bind_fractional(py::module_& m) {
     const auto all = view(en);
     return filled(all.size(), [&](std::size_t i) { return conversion_degree(all[i], end); });
   });
-  m.def("tcol_estimate", py::vectorize(&tcol_estimate), py::arg("coefficient"), py::arg("alpha"),
-        "Estimate (57) of the collision time [s], of A = c^alpha k^(1-alpha)/m [s^(alpha-2)].");
+  m.def("tcol_estimate", py::vectorize(&tcol_estimate));
   bind_kernel(m);
 }
 

@@ -58,8 +58,7 @@ std::vector<double> values_of(const LawKind& kind, const py::args& args, const p
 std::string text_of(const AnyLaw& law) {
   std::string out = class_name(name(law));
   for (const NamedValue& p : parameters(law))
-    out += (out.back() == ')' || out.find('(') != std::string::npos ? ", " : "(") + p.name + "=" +
-           py::repr(py::float_(p.value)).cast<std::string>();
+    out += (out.back() == ')' || out.find('(') != std::string::npos ? ", " : "(") + p.name + "=" + spelled(p.value);
   return out + ")";
 }
 

@@ -4,6 +4,8 @@
 
 namespace ricochet::python {
 
+std::string spelled(double value) { return py::repr(py::float_(value)); }
+
 PYBIND11_MODULE(_core, m) {
   m.doc() = "What the package ricochet is made of: the C++ library, its arrays flat.";
   m.attr("__version__") = std::string(version);

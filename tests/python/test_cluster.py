@@ -93,6 +93,11 @@ def test_wrong_setups_are_named():
         ricochet.Cluster([[0, 0, 0]], -1e-3, 1000, ricochet.Interaction(ricochet.Linear(1, 0)), step=1e-6)
 
 
+def test_what_is_no_interaction_is_named():
+    with pytest.raises(TypeError, match="interactions = None: must be an Interaction or a dict"):
+        ricochet.Cluster([[0.0, 0.0, 0.0]], 1e-3, 1e3, None)
+
+
 def test_a_drum_that_spins_drags_what_lies_in_it():
     mass, k, mu, radius = 4 / 3 * np.pi * 1.5e-3**3 * 2500, 2000.0, 0.5, 0.01
     contact = ricochet.TangentialContact(friction=ricochet.Friction(mu))

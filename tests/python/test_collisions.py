@@ -95,6 +95,41 @@ def test_what_cannot_be_reached_says_which_and_why():
         ricochet.calibrate("linear", 1e-4, 0.5, unreachable="skip")
 
 
+def test_what_a_law_does_not_hold_is_refused():
+    for name, held in (
+        ("linear", {"alpha": 0.5}),
+        ("fractional-hertz", {"stiffening": 10.0}),
+        ("tsuji", {"stiffness": 1e4}),
+        ("fractional-kelvin-voigt", {"stiffness": 3000.0, "alpha": 0.5}),
+    ):
+        with pytest.raises(ValueError, match=f"{list(held)[-1]}.*: (law {name} holds none|follows from the stiffness)"):
+            ricochet.calibrate(name, 1e-4, 0.7, **held)
+
+
+def test_a_collision_without_an_end_has_no_restitution():
+    found = ricochet.collide(ricochet.Linear(1e3, 1e3), [0.5, 0.6], MASS, end="overlap")
+    assert list(found.status) == ["no_separation"] * 2
+    assert np.isnan(found.en).all() and np.isnan(found.tcol).all() and (found.max_overlap > 0).all()
+
+
+def test_an_export_trusts_the_law_and_not_what_is_said_of_it():
+    law = ricochet.calibrate("linear", 1e-4, 0.5)
+    asked = ricochet.export_law("lammps", law, tcol=1e-4, en=0.5)
+
+    def contact(snippet):
+        return [line for line in snippet.text.splitlines() if line.startswith("pair_")]
+
+    assert contact(ricochet.export_law("lammps", law)) == contact(asked) and len(contact(asked)) == 2
+    assert repr(asked) == "Snippet(lammps, exact)"
+    ricochet.export_law("lammps", ricochet.Linear(float(f"{law.k:.9g}"), float(f"{law.c:.9g}")), tcol=1e-4, en=0.5)
+    with pytest.raises(ValueError, match="en = 0.9: the law gives 0.5"):
+        ricochet.export_law("lammps", law, en=0.9)
+    with pytest.raises(ValueError, match="tcol = 0.0001001: the law gives 0.0001"):
+        ricochet.export_law("lammps", law, tcol=1.001e-4)
+    with pytest.raises(ValueError, match="does not end, but by no_separation"):
+        ricochet.export_law("lammps", ricochet.Linear(1e3, 1e3), end="overlap")
+
+
 def test_gross_sliding_by_coulombs_law():
     mu, radius, mass = 0.1, 2.5e-3, 2.6e-4
     law = ricochet.calibrate("fractional", 1e-5, 0.8, velocity=1.0, mass_eff=mass)
@@ -129,6 +164,9 @@ def test_a_fit_finds_the_law_that_made_the_data():
     np.testing.assert_allclose(fit.predict_en(velocity), en, rtol=1e-6)
     assert all(p.error > 0 for p in fit.parameters.values())
     assert fit.aic < ricochet.fit("linear", velocity, en, en_sigma=0.01).aic
+    assert isinstance(fit.predict_en(0.5), float) and repr(fit).startswith("Fit(kuwabara-kono: ")
+    with pytest.raises(ValueError, match="en_sigma = 0.0: must be > 0"):
+        ricochet.fit("kuwabara-kono", velocity, en, en_sigma=0.0)
 
 
 def test_every_column_of_a_collision_is_what_its_name_says():

@@ -45,6 +45,8 @@ def test_a_prepared_function_agrees_with_the_plain_one():
 def test_a_number_outside_the_domain_is_named():
     with pytest.raises(ValueError, match="= 4"):
         ricochet.mittag_leffler(4, 1, 0)
+    with pytest.raises(ValueError, match="shape mismatch"):
+        ricochet.mittag_leffler([1.0, 2.0], 1.0, [0.0, 1.0, 2.0])
 
 
 def test_the_fractional_collision_and_its_inverse():

@@ -50,3 +50,8 @@ def test_every_public_function_has_a_docstring():
 def test_the_version_is_that_of_the_project():
     text = (pathlib.Path(__file__).resolve().parents[2] / "CMakeLists.txt").read_text()
     assert f"VERSION {ricochet.__version__} " in text
+
+
+def test_a_star_import_brings_what_is_ours_alone():
+    assert not {"np", "Any", "dataclass", "DirectCalibrator"} & set(ricochet.__all__)
+    assert {"calibrate", "collide", "Cluster", "Linear", "law_names", "NotConverged"} <= set(ricochet.__all__)
