@@ -123,7 +123,7 @@ def one_by_one(run_case: Callable) -> Callable:
 def options_of(engine: Engine, arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     def steps(text: str) -> List[int]:
         numbers = [int(n) for n in text.split(",")]
-        if min(numbers) < 1:
+        if min(numbers) < 1 or len(set(numbers)) < len(numbers):
             raise ValueError
         return numbers
 
@@ -146,12 +146,24 @@ def collect(engine: Engine, program: str, cases: Sequence[Case]) -> List[List[st
     return [row for case in cases for row in rows[case.name]]
 
 
+def check_results(results: str, cases: str) -> None:
+    """Before anything runs, so that nothing runs in vain and no case is lost."""
+    if results == "-":
+        return
+    folder = os.path.dirname(os.path.realpath(results))
+    if not os.path.isdir(folder):
+        raise BadCase(f"-o {results}: there is no such folder")
+    if os.path.isdir(results):
+        raise BadCase(f"-o {results}: must be a file")
+    if folder == os.path.realpath(cases) and results.endswith(".json"):
+        raise BadCase(f"-o {results}: must not be one of the cases")
+
+
 def main(engine: Engine, arguments: Optional[Sequence[str]] = None) -> int:
     """Exit codes: 0 done, 2 bad input, 4 the engine is not there or the results could not be written, 130 by Ctrl-C."""
     options = options_of(engine, arguments)
     try:
-        if options.results != "-" and not os.path.isdir(os.path.dirname(os.path.abspath(options.results))):
-            raise BadCase(f"-o {options.results}: there is no such folder")
+        check_results(options.results, options.cases)
         cases = read_cases(options.cases, options.only)
         if options.steps:
             cases = [case._replace(steps=options.steps) for case in cases]

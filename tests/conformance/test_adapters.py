@@ -309,6 +309,13 @@ def test_exit_codes(tmp_path, capsys):
         "--only none: must be one of pair", "Toy: --program no-such-engine: there is no such program",
         f"-o {tmp_path}/absent/x.csv: there is no such folder"]
 
+    case = (tmp_path / "pair.json").read_text()
+    assert adapter.main(engine(still), [str(tmp_path), "-o", str(tmp_path / "pair.json")]) == 2
+    assert adapter.main(engine(still), [str(tmp_path), "-o", str(tmp_path)]) == 2
+    assert capsys.readouterr().err.splitlines() == [
+        f"-o {tmp_path}/pair.json: must not be one of the cases", f"-o {tmp_path}: must be a file"]
+    assert (tmp_path / "pair.json").read_text() == case
+
     def stopped(*_):
         raise KeyboardInterrupt
 
@@ -316,6 +323,9 @@ def test_exit_codes(tmp_path, capsys):
     assert not (tmp_path / "x.csv").exists()
     with pytest.raises(SystemExit) as ended:
         adapter.main(engine(still), [str(tmp_path), "-o", "-", "--steps", "50,0"])
+    assert ended.value.code == 2
+    with pytest.raises(SystemExit) as ended:
+        adapter.main(engine(still), [str(tmp_path), "-o", "-", "--steps", "50,100,50"])
     assert ended.value.code == 2
 
 

@@ -66,6 +66,22 @@ TEST_CASE("conformance: our own stepping of the case as asked needs no cause") {
   CHECK(verdict == Verdict::converges);
 }
 
+TEST_CASE("conformance: what changes nothing in a case is no cause of what it shows") {
+  // No dashpot: however its contacts end they end at the same time, and its damping may be anything.
+  const Answered a = answered_case("normal-elastic");
+  Case stiffer = a.of;
+  scale_law(stiffer.law, 1.01, 1);
+  CaseResult result{a.of.name};
+  for (const int n : stiffer.steps) result.runs.push_back(run_ricochet(stiffer, n));
+  const CaseGrade g = grade(a, &result);
+  REQUIRE(g.verdict == Verdict::elsewhere);
+  for (const Cause& cause : causes(a, result, g)) {
+    INFO(cause.what);
+    CHECK(cause.what.find("end by overlap") == std::string::npos);
+    CHECK(cause.what.find("damping") == std::string::npos);
+  }
+}
+
 TEST_CASE("conformance: the velocity of half a step before is recognised to rounding") {
   const Answered a = answered_case("wall-linear-force");
   const std::vector<double> v = values(a.of.wall_law->law);

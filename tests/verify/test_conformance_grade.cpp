@@ -31,6 +31,19 @@ CaseGrade graded(const std::string& name, const F& error, const std::vector<int>
 
 }  // namespace
 
+TEST_CASE("conformance: step sizes that are too few or too close are not graded") {
+  const Answered a = answered_case("normal-linear-force");
+  const auto graded_with = [&](const std::vector<int>& steps) {
+    const CaseResult result = off_by(a, steps, [](int n) { return 0.1 / n; });
+    return grade(a, &result);
+  };
+  CHECK(graded_with({100, 140, 196, 275}).verdict == Verdict::converges);
+  CHECK(graded_with({100, 140, 196, 274}).verdict == Verdict::not_run);
+  CHECK(graded_with({100, 139, 200, 400}).note ==
+        "runs of 100 and 139 steps: must be 1.4 times as many or more to tell where they go");
+  CHECK(graded_with({100, 200, 400}).note == "3 runs: 4 are needed to tell where they go");
+}
+
 TEST_CASE("conformance: limits of smooth values are extrapolated, and known to more than they are off by") {
   for (const double order : {1.0, 1.5, 2.0, 3.0}) {
     INFO(order);

@@ -168,6 +168,27 @@ TEST_CASE("conformance: the page says what is right, what is not and why, and wh
   CHECK_FALSE(has(page, "http-equiv"));
 }
 
+TEST_CASE("verify conformance: what ran nothing or broke down does not pass, and no task is passed over") {
+  const TemporaryFolder folder;
+  const auto file = [&](const std::string& name, const std::string& rows) {
+    std::ofstream(folder / name) << "# engine: E\n# version: 1\ncase,steps,body,x,y,z,vx,vy,vz,wx,wy,wz,note\n" << rows;
+    return folder / name;
+  };
+  const std::string none = "normal-elastic,,,,,,,,,,,,no words for it\n";
+  CHECK(run({"--results", file("none.csv", none)}).code == 1);
+  CHECK(run({"--results", file("empty.csv", "")}).code == 2);
+  const std::string broken = file("broken.csv", none + "normal-linear-force,,,,,,,,,,,,failed: segfault\n");
+  const Ran ran = run({"--results", broken, "--format", "json"});
+  CHECK(ran.code == 1);
+  CHECK(has(ran.out, "E 1: normal-linear-force: runs (failed: segfault)"));
+  CHECK(run({"--list", "--results", stored}).code == 2);
+  CHECK(run({"--cases", folder / "cases", "--badge", folder / "badges"}).code == 2);
+  CHECK(run({"--run", "ricochet", "--report", folder / "page.html"}).code == 2);
+  // Two files of one engine have one name between them.
+  const std::string again = file("again.csv", none);
+  CHECK(run({"--results", broken, again, "--badge", folder / "badges"}).code == 2);
+}
+
 TEST_CASE("verify conformance: exit codes and what is written") {
   const TemporaryFolder folder;
   const Ran list = run({"--list", "--format", "csv"});
@@ -186,7 +207,7 @@ TEST_CASE("verify conformance: exit codes and what is written") {
   const auto json = console::Json::parse(right.out);
   CHECK(json["schema"] == "ricochet/conformance/1");
   CHECK(json["counts"]["failed"] == 0);
-  CHECK(json["counts"]["passed"] == all_cases().size() + 1);
+  CHECK(json["counts"]["passed"] == all_cases().size() + 2);
 
   // An engine that is off fails; the stored ones are shown beside each other and not judged.
   CHECK(run({"--results", stored + "/yade-2023.02a.csv"}).code == 1);

@@ -182,6 +182,17 @@ std::vector<Answer> answers_or_none(const Case& c) {
   }
 }
 
+/// Whether these are the case's own answers: a misunderstanding that changes nothing in it explains nothing.
+bool is_same(const std::vector<Answer>& other, const CaseGrade& grade) {
+  if (other.empty()) return false;
+  return std::all_of(grade.answers.begin(), grade.answers.end(), [&](const Graded& g) {
+    const auto same = std::find_if(other.begin(), other.end(), [&](const Answer& a) {
+      return a.quantity == g.answer.quantity && a.body == g.answer.body;
+    });
+    return !g.answer.required || std::abs(same->value - g.answer.value) <= rounding * g.answer.scale;
+  });
+}
+
 ContactEnd end_of(const Case& c) { return (c.law ? c.law : c.wall_law).value().end; }
 
 /// The rule, at the place in the overlap where it fits best.
@@ -209,9 +220,10 @@ std::vector<Cause> causes(const Answered& answered, const CaseResult& result, co
   for (const Misunderstanding& m : misunderstandings(end_of(answered.of))) {
     const std::optional<Case> other = m.of(answered.of);
     if (!other) continue;
+    const std::vector<Answer> there = answers_or_none(*other);
+    if (is_same(there, grade)) continue;
     if (const auto cause = repeated_by(*other, m.what + "; ", result, grade)) repeated.push_back(*cause);
     if (grade.verdict != Verdict::elsewhere) continue;
-    const std::vector<Answer> there = answers_or_none(*other);
     const auto off = there.empty() ? std::nullopt : misfit_of_limits(there, grade);
     if (off) limits.push_back({m.what, false, *off});
   }

@@ -136,14 +136,21 @@ std::vector<Answered> answered(const std::vector<Case>& cases) {
   return all;
 }
 
+std::string too_little(const std::vector<Run>& runs) {
+  if (runs.size() < fewest_runs)
+    return fmt::format("{} runs: {} are needed to tell where they go", runs.size(), fewest_runs);
+  for (std::size_t i = 1; i < runs.size(); ++i)
+    if (runs[i].steps < least_refinement * runs[i - 1].steps)
+      return fmt::format("runs of {} and {} steps: must be {} times as many or more to tell where they go",
+                         runs[i - 1].steps, runs[i].steps, least_refinement);
+  return {};
+}
+
 CaseGrade grade(const Answered& answered, const CaseResult* result) {
   CaseGrade grade{.of = &answered.of};
   grade.note = result ? result->note : "not in the file";
   if (!result || result->runs.empty()) return grade;
-  if (result->runs.size() < fewest_runs) {
-    grade.note = fmt::format("{} runs: {} are needed to tell where they go", result->runs.size(), fewest_runs);
-    return grade;
-  }
+  if (const std::string why = too_little(result->runs); !why.empty()) return grade.note = why, grade;
   grade.verdict = Verdict::exact;
   for (const Answer& answer : answered.answers) {
     if (!reported(*result, answer.quantity)) continue;

@@ -16,12 +16,15 @@ enum class Verdict {
   converges,  ///< |L| ≤ u + f
   elsewhere,  ///< |L| > u + f
   does_not_converge,
-  not_run  ///< fewer than `fewest_runs` runs
+  not_run  ///< fewer than `fewest_runs` runs, or two closer than `least_refinement`
 };
 std::string_view text(Verdict verdict) noexcept;
 
 /// The extrapolation takes the differences of three pairs.
 inline constexpr std::size_t fewest_runs = 4;
+/// Steps closer than this tell next to nothing of where they go: of a first-order error that is off by e at the finest,
+/// neighbours differ by no more than 0.4 e.
+inline constexpr double least_refinement = 1.4;
 /// What rounding may make of an end state over a run of some 10⁵ steps, as a share of the scale.
 inline constexpr double rounding = 1e-10;
 /// A limit that is not known to this share of the scale is none.
@@ -95,6 +98,9 @@ struct Answered {
   std::vector<Answer> answers;
 };
 std::vector<Answered> answered(const std::vector<Case>& cases);
+
+/// Why these runs, by their steps, cannot be graded; empty where they can.
+std::string too_little(const std::vector<Run>& runs);
 
 /// `result`: nullptr where the engine's file does not have the case. Without causes.
 CaseGrade grade(const Answered& answered, const CaseResult* result);

@@ -22,11 +22,13 @@ using console::Table;
 std::string anchor(const EngineGrade& e) { return "engine-" + file_stem(e.results); }
 
 std::string contents(const std::vector<EngineGrade>& engines) {
-  std::string list = "<li><a href=\"#engines\">Engines</a></li>\n<li><a href=\"#cases\">Cases by engine</a></li>\n";
+  std::string list =
+      "<li><a href=\"#engines\">Engines</a></li>\n<li><a href=\"#verdicts\">What the verdicts mean</a></li>\n"
+      "<li><a href=\"#cases\">Cases by engine</a></li>\n";
   for (const EngineGrade& e : engines)
     list += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", anchor(e), escaped(label(e.results)));
   list +=
-      "<li><a href=\"#verdicts\">What the verdicts mean</a></li>\n<li><a href=\"#sources\">Sources</a></li>\n"
+      "<li><a href=\"#sources\">Sources</a></li>\n"
       "<li><a href=\"#made\">How this page was made</a></li>\n";
   return fmt::format("<nav class=\"contents\" id=\"contents\" aria-label=\"Contents\">\n<ul>\n{}</ul>\n</nav>\n", list);
 }
@@ -69,8 +71,8 @@ std::string found(const EngineGrade& e) {
     said += fmt::format(" At 100 steps a collision, what converges is off by {} % of its scale at most.",
                         console::significant(100 * greatest_at_100(e), 2));
   const std::size_t elsewhere = e.count(Verdict::elsewhere), wander = e.count(Verdict::does_not_converge);
-  if (elsewhere > 0) said += fmt::format(" {} converge elsewhere.", elsewhere);
-  if (wander > 0) said += fmt::format(" {} do not converge.", wander);
+  if (elsewhere > 0) said += fmt::format(" Converging elsewhere: {}.", elsewhere);
+  if (wander > 0) said += fmt::format(" Without a limit: {}.", wander);
   return said;
 }
 
@@ -109,7 +111,7 @@ std::string verdicts() {
       "known to and rounding.</p>\n<dl class=\"facts\">\n<dt>exact</dt><dd>every error is at most f</dd>\n"
       "<dt>converges to it</dt><dd>|L| is at most u + f</dd>\n<dt>converges elsewhere</dt><dd>|L| is greater</dd>\n"
       "<dt>does not converge</dt><dd>the values do not settle, or the limit is not known to {} %</dd>\n"
-      "<dt>not run</dt><dd>the engine cannot run it, or fewer than {} runs</dd>\n</dl>\n",
+      "<dt>not run</dt><dd>the engine cannot run it, or gave fewer than {} runs or too close ones</dd>\n</dl>\n",
       console::shortest(100 * least_known), fewest_runs);
 }
 
@@ -135,12 +137,12 @@ std::string conformance_page(const std::vector<EngineGrade>& engines, const Fact
       "and "
       "parameters and runs at several time steps; its end states are compared with answers that were computed in this "
       "run by other means than time steps. An engine that has no such law did not run the case, which says nothing "
-      "about it.</p>\n{}{}",
+      "about it.</p>\n{}{}{}",
       engines.front().cases.size(), engines.size(), contents(engines),
-      console::html_table(engine_table(engines), {.id = "engines", .shown = 40}),
+      console::html_table(engine_table(engines), {.id = "engines", .shown = 40}), verdicts(),
       console::html_table(side_by_side(engines, Heads::names), {.id = "cases", .shown = 100}));
   for (const EngineGrade& e : engines) body += section(e);
-  body += verdicts() + sources(engines.front()) + made(made_by);
+  body += sources(engines.front()) + made(made_by);
   body += fmt::format("</main>\n<footer><p>{}. SI units unless a column says otherwise.</p></footer>\n</div>\n",
                       escaped(made_by.front().second));
   return console::html_page("Contact models in engines", body);

@@ -156,6 +156,8 @@ Results read_results(const std::string& path, const std::vector<Case>& cases) {
       throw console::BadInput(fmt::format("{}: a line \"# {}: …\" is missing: must name the {}", path, key,
                                           key == std::string("engine") ? "engine" : "engine's version"));
   results.cases = Reader(path, cases).read();
+  if (results.cases.empty())
+    throw console::BadInput(fmt::format("{}: no rows: must be a file with a row a run and body", path));
   return results;
 }
 

@@ -17,7 +17,9 @@ using console::Table;
 
 std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
 
-std::string percent(double share) { return console::significant(100 * share, 2) + " %"; }
+std::string percent(double share) {
+  return (share < 1 ? console::significant(100 * share, 2) : console::fixed(100 * share, 0)) + " %";
+}
 
 std::string of_energy(const CaseGrade& grade) {
   if (!grade.energy || grade.verdict == Verdict::exact) return {};
@@ -31,10 +33,10 @@ std::string of_energy(const CaseGrade& grade) {
 console::Cell short_cell(const CaseGrade& grade) {
   const Graded* worst = grade.worst();
   switch (grade.verdict) {
-    case Verdict::exact: return "exact";
-    case Verdict::converges: return worst->order_uncertainty <= 0.5 ? console::fixed(worst->order, 1) : "right";
-    case Verdict::elsewhere: return percent(std::abs(worst->limit.value));
-    case Verdict::does_not_converge: return "no limit";
+    case Verdict::exact: return "✓ exact";
+    case Verdict::converges: return worst->order_uncertainty <= 0.5 ? "✓ h^" + console::fixed(worst->order, 1) : "✓";
+    case Verdict::elsewhere: return "✗ " + percent(std::abs(worst->limit.value));
+    case Verdict::does_not_converge: return "✗ no limit";
     case Verdict::not_run: break;
   }
   return console::blank();
@@ -131,8 +133,8 @@ Table side_by_side(const std::vector<EngineGrade>& engines, Heads heads) {
     table.row(cells);
   }
   table.note(
-      "A number: it converges to the answer with this order (of the number that is farthest off; right: no order is to "
-      "be seen). A share: it converges elsewhere, off by this of the answer's scale. -: not run.");
+      "✓: right, converges to the answer, its errors falling with this power of the step h where one is to be seen (of "
+      "the number that is farthest off). ✗: converges elsewhere, off by this share of the answer's scale. -: not run.");
   return table;
 }
 

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace ricochet::verify {
 
@@ -66,9 +67,13 @@ EngineGrade graded(const std::string& file, const std::vector<Answered>& all, co
 
 /// Right is what converges to the answer or is exact; what was not run is neither.
 void add_gates(StudyResult& result, const EngineGrade& engine) {
+  result.gates.push_back(
+      at_least(label(engine.results) + ": cases that could be graded", static_cast<double>(engine.run()), 1));
   for (const CaseGrade& c : engine.cases) {
     const std::string name = fmt::format("{}: {}", label(engine.results), c.of->name);
-    if (c.verdict == Verdict::not_run)
+    if (c.verdict == Verdict::not_run && c.note.starts_with("failed"))
+      result.gates.push_back(holds(fmt::format("{}: runs ({})", name, c.note), false));
+    else if (c.verdict == Verdict::not_run)
       result.skipped.push_back(fmt::format("{} ({})", name, c.note));
     else if (c.verdict == Verdict::does_not_converge)
       result.gates.push_back(holds(name + ": converges", false));
@@ -103,6 +108,7 @@ class Conformance : public Study {
     app.add_option("--badge", badges_, "also write a badge of each engine into this folder")->type_name("DIR");
   }
   StudyResult run(const RunOptions&) override {
+    check();
     const std::vector<Case> cases = all_cases();
     if (!run_.empty()) {
       StudyResult result;
@@ -114,6 +120,15 @@ class Conformance : public Study {
   }
 
  private:
+  /// Nothing that is asked for is passed over.
+  void check() const {
+    const bool lists = list_ || !cases_folder_.empty(),
+               grades = !results_.empty() || !page_.empty() || !badges_.empty();
+    if (!run_.empty() && (lists || grades)) throw console::BadInput("--run", run_, "given without other tasks");
+    if (lists && grades)
+      throw console::BadInput("--list, --cases: must be given without --results, --report and --badge");
+  }
+
   StudyResult listed(const std::vector<Case>& cases) const {
     StudyResult result;
     result.tables = {list_of(cases)};
@@ -157,7 +172,14 @@ class Conformance : public Study {
   void write(const std::vector<EngineGrade>& engines) const {
     if (!badges_.empty()) {
       console::OutputFolder folder(badges_);
-      for (const EngineGrade& e : engines) folder.add(file_stem(e.results) + ".svg", badge(e));
+      std::set<std::string> names;
+      for (const EngineGrade& e : engines) {
+        const std::string stem = file_stem(e.results);
+        if (stem.empty() || !names.insert(stem).second)
+          throw console::BadInput("--badge", label(e.results),
+                                  "an engine and version whose letters and digits name it alone");
+        folder.add(stem + ".svg", badge(e));
+      }
       folder.commit();
     }
     if (!page_.empty()) console::write_atomically(page_, conformance_page(engines, facts(true)));
