@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
+# debian13.sh make            makes the system and builds lammps-ricochet in it, which takes root, debootstrap, a Debian
+#                             mirror ($RICOCHET_MIRROR) and some minutes
 # debian13.sh verify VERIFY   runs `verify engines --engine lammps` with the LAMMPS of Debian 13 (4 Feb 2025) and
 #                             lammps-ricochet, which it builds there
 # debian13.sh driver TEST     builds lammps-ricochet there and runs this test program with it
@@ -8,8 +10,7 @@
 # debian13.sh yade COMMAND…   runs a command for which `yade` is that of Debian 13 (2025.2.0), if it is installed there
 # debian13.sh shell COMMAND   runs a command in the checkout's copy there, once the driver is built: for benchmarks
 # The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout, and stays for
-# the next run. Where it is missing it is made, which takes root, debootstrap, a Debian mirror ($RICOCHET_MIRROR) and
-# some minutes; where it cannot be made the test is skipped (exit code 77) and says why.
+# the next run. Where there is none, or none can be made, the test is skipped (exit code 77) and says why.
 set -euo pipefail
 system=${RICOCHET_DEBIAN13:-/var/tmp/ricochet-debian-13}
 mirror=${RICOCHET_MIRROR:-http://deb.debian.org/debian}
@@ -30,6 +31,7 @@ inside() { # COMMAND: in the system
 
 make_system() {
   [[ -e $system ]] || {
+    [[ $task == make ]] || skip "no Debian 13 in $system; tests/engines/debian13.sh make makes it"
     command -v debootstrap >/dev/null || skip "no Debian 13 in $system, and debootstrap is not installed to make it"
     rm -rf "$system.new" # of a run that was stopped
     debootstrap --variant=minbase trixie "$system.new" "$mirror" >"$log" 2>&1 ||
@@ -70,7 +72,8 @@ build_driver() {
 }
 
 ((EUID == 0)) || skip "only root can enter the system in $system"
-[[ $task =~ ^(verify|driver|lmp|yade|shell)$ && $argument ]] || { sed -n 's/^# //; 3,9p' "$0" >&2; exit 2; }
+[[ $task == make || ($task =~ ^(verify|driver|lmp|yade|shell)$ && $argument) ]] ||
+  { sed -n 's/^# //; 4,11p' "$0" >&2; exit 2; }
 mkdir -p "$(dirname "$system")"
 exec 9>"$system.lock"
 flock 9
@@ -118,6 +121,7 @@ case $task in
     shift
     TMPDIR=$scratch PATH=$work:$PATH "$@"
     ;;
+  make) build_driver ;;
   driver)
     build_driver
     write_wrapper run 'ranks=$1 && shift && driver=/root/ricochet/build/lammps/bin/lammps-ricochet
