@@ -28,7 +28,8 @@ run() {
   eval "\"$program\" ${1#"$(basename "$program")"}" >out 2>err
   local code=$?
   mask <out
-  mask <err | sed 's/^/! /'
+  # How far slow work is, which a busy machine makes it say.
+  mask <err | sed -E '/^[a-z ]+: [0-9]+( %, [0-9]+ s left)?$/d; s/^/! /'
   echo "? $code"
 }
 

@@ -3,7 +3,9 @@
 #include <console/node.hpp>
 #include <console/progress.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <regex>
 #include <string>
 #include <thread>
 
@@ -78,6 +80,29 @@ TEST_CASE("progress shows share and time left after a second, and wipes its line
   CHECK(std::stoi(text.substr(wiped.size() + 12)) >= 3);
   const std::string end = " s left" + wiped;
   CHECK(text.substr(text.size() - end.size()) == end);
+}
+
+TEST_CASE("where stderr is no terminal progress is a line each time that some seconds have passed") {
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
+  const int before = ::dup(STDERR_FILENO);
+  ::dup2(ends[1], STDERR_FILENO);
+  {
+    Progress progress("work", 4, std::chrono::milliseconds{500});
+    progress.advance(1);  // too early
+    wait(510);
+    progress.advance(1);
+    progress.advance(1);  // too early again
+    wait(510);
+    progress.advance(1);
+  }
+  ::dup2(before, STDERR_FILENO);
+  for (const int end : {before, ends[1]}) ::close(end);
+  std::string text(4096, '\0');
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, ::read(ends[0], text.data(), text.size()))));
+  ::close(ends[0]);
+  // Half of it took half a second or, where the machine holds the test up, more.
+  CHECK(std::regex_match(text, std::regex("work: 50 %, [1-9] s left\nwork: 100 %, 0 s left\n")));
 }
 
 TEST_CASE("progress counts where the end is not known, and says nothing of what is quick") {

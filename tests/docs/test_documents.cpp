@@ -55,7 +55,11 @@ Ran run(const std::string& command, const TemporaryFolder& folder) {
   std::array<char, 4096> chunk{};
   for (std::size_t n = 0; (n = std::fread(chunk.data(), 1, chunk.size(), pipe)) > 0;) printed.append(chunk.data(), n);
   const int status = ::pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, lines_of(printed)};
+  // How far slow work is, which a busy machine makes it say.
+  static const std::regex progress("[a-z ]+: [0-9]+( %, [0-9]+ s left)?");
+  auto lines = lines_of(printed);
+  std::erase_if(lines, [&](const std::string& line) { return std::regex_match(line, progress); });
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, std::move(lines)};
 }
 
 std::vector<std::string> slice(const std::vector<std::string>& lines, std::size_t first, std::size_t last) {
