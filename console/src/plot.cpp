@@ -6,11 +6,15 @@
 #include <console/plot.hpp>
 #include <console/scratch.hpp>
 
+#include <boost/crc.hpp>
 #include <fmt/format.h>
 
 #include <sys/wait.h>
 
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <string_view>
 
 namespace ricochet::console {
 
@@ -55,13 +59,60 @@ bool complains(const std::string& words) {
   return false;
 }
 
-std::string picture(const Figure& figure, std::string_view terminal, const std::string& folder) {
-  const Ran ran = gnuplot(fmt::format("set terminal {} size {},{}\n{}{}\n", terminal, figure.width, figure.height,
-                                      house_style, figure.script),
-                          folder);
+std::string picture(const Figure& figure, const std::string& terminal, const std::string& folder) {
+  const Ran ran = gnuplot(fmt::format("set terminal {}\n{}{}\n", terminal, house_style, figure.script), folder);
   if (ran.status != 0 || complains(ran.err) || ran.out.empty())
     throw Failed(fmt::format("gnuplot, figure {}: {}", figure.name, why(ran)));
   return ran.out;
+}
+
+// A figure's pixels are those of a screen; on paper they are as large.
+constexpr double screen_dpi = 96, print_dpi = 300;
+
+std::string svg_terminal(const Figure& figure) {
+  return fmt::format("svg dynamic font 'sans-serif,{}' background rgb 'white' size {},{}", 14 * figure.text,
+                     figure.width, figure.height);
+}
+
+std::string png_terminal(const Figure& figure) {
+  constexpr double finer = print_dpi / screen_dpi;
+  return fmt::format(
+      "pngcairo font 'sans,{0}' fontscale {1} linewidth {1} pointscale {1} background rgb 'white' size {2:.0f},{3:.0f}",
+      11 * figure.text, finer, finer * figure.width, finer * figure.height);
+}
+
+/// Cairo's scales of a PDF are others: these look like the PNG.
+std::string pdf_terminal(const Figure& figure) {
+  return fmt::format(
+      "pdfcairo font 'sans,{}' fontscale 0.75 linewidth 1.5 dashlength 1.2 pointscale 0.8 background rgb 'white' "
+      "size {}in,{}in",
+      11 * figure.text, figure.width / screen_dpi, figure.height / screen_dpi);
+}
+
+std::string big_endian(std::uint32_t number) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 0xff);
+  return bytes;
+}
+
+/// The picture with its resolution said, which gnuplot leaves out: a chunk pHYs behind the header (PNG, 11.3.5.3).
+std::string with_resolution(std::string png) {
+  constexpr std::size_t header_end = 8 + 25;  // the signature and IHDR
+  const auto per_metre = static_cast<std::uint32_t>(std::lround(print_dpi / 0.0254));
+  const std::string chunk = "pHYs" + big_endian(per_metre) + big_endian(per_metre) + '\1';
+  boost::crc_32_type sum;
+  sum.process_bytes(chunk.data(), chunk.size());
+  constexpr std::uint32_t data_length = 9;
+  return png.insert(header_end, big_endian(data_length) + chunk + big_endian(sum.checksum()));
+}
+
+/// The picture without the time at which it was drawn, which Cairo notes in it: the same figure is the same bytes.
+/// Other digits in their place, as the file counts its bytes.
+std::string without_time(std::string pdf) {
+  constexpr std::string_view before = "/CreationDate (D:", some_day = "20000101000000";
+  if (const auto at = pdf.find(before); at != std::string::npos)
+    pdf.replace(at + before.size(), some_day.size(), some_day);
+  return pdf;
 }
 
 /// The figure's data in a folder that passes: where gnuplot runs.
@@ -71,10 +122,10 @@ class Workshop {
     for (const DataFile& data : figure.data) folder_.write(data.name, data.bytes);
   }
   std::string svg() const {
-    return themed(picture(figure_, "svg dynamic font 'sans-serif,14' background rgb 'white'", folder_.path()),
-                  figure_.caption, figure_.finding);
+    return themed(picture(figure_, svg_terminal(figure_), folder_.path()), figure_.caption, figure_.finding);
   }
-  std::string png() const { return picture(figure_, "pngcairo font 'sans,11' background rgb 'white'", folder_.path()); }
+  std::string png() const { return with_resolution(picture(figure_, png_terminal(figure_), folder_.path())); }
+  std::string pdf() const { return without_time(picture(figure_, pdf_terminal(figure_), folder_.path())); }
 
  private:
   const Figure& figure_;
@@ -86,10 +137,11 @@ class Workshop {
 std::string draw(const Figure& figure, OutputFolder& folder) {
   const Workshop workshop(figure);
   std::string svg = workshop.svg();
-  const std::string png = workshop.png();
+  const std::string png = workshop.png(), pdf = workshop.pdf();
   for (const DataFile& data : figure.data) folder.add(data.name, data.bytes);
   folder.add(figure.name + ".svg", svg);
   folder.add(figure.name + ".png", png);
+  folder.add(figure.name + ".pdf", pdf);
   return svg;
 }
 

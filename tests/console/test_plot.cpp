@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
@@ -20,7 +21,27 @@
 
 using namespace ricochet::console;
 
-TEST_CASE("gnuplot draws SVG and PNG beside the data, in any locale") {
+namespace {
+
+/// Of a PNG's chunk, bit by bit (PNG, annex D).
+std::uint32_t crc_of(std::string_view bytes) {
+  std::uint32_t crc = 0xffffffff;
+  for (const char byte : bytes) {
+    crc ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) crc = crc & 1 ? crc >> 1 ^ 0xedb88320 : crc >> 1;
+  }
+  return ~crc;
+}
+
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i) number = number << 8 | static_cast<unsigned char>(bytes.at(at + i));
+  return number;
+}
+
+}  // namespace
+
+TEST_CASE("gnuplot draws SVG and, as large in print, PDF and PNG beside the data, in any locale") {
   const char* locale = GENERATE("C", "C.UTF-8", "de_DE.UTF-8");
   ::setenv("LC_ALL", locale, 1);
   const TemporaryFolder folder;
@@ -34,7 +55,18 @@ TEST_CASE("gnuplot draws SVG and PNG beside the data, in any locale") {
   ::unsetenv("LC_ALL");
   CHECK(read_file(folder / "plots/line.csv") == "x,y\n0,0\n1,1\n");
   CHECK(read_file(folder / "plots/line.svg").find("</svg>") != std::string::npos);
-  CHECK(read_file(folder / "plots/line.png").substr(1, 3) == "PNG");
+  // 720 by 450 pixels of a screen, 96 to the inch: 7.5 by 4.6875 inches.
+  const std::string pdf = read_file(folder / "plots/line.pdf"), png = read_file(folder / "plots/line.png");
+  CHECK(pdf.substr(0, 5) == "%PDF-");
+  CHECK(pdf.find("/MediaBox [ 0 0 540 337") != std::string::npos);  // .5 cut off by some versions of Cairo
+  CHECK(pdf.find("/CreationDate (D:20000101000000") != std::string::npos);
+  CHECK(png.substr(1, 3) == "PNG");
+  CHECK(number_at(png, 16) == 2250);
+  CHECK(number_at(png, 20) == 1406);
+  CHECK(png.substr(37, 4) == "pHYs");
+  CHECK(number_at(png, 41) == 11811);  // to the metre
+  CHECK(number_at(png, 45) == 11811);
+  CHECK(number_at(png, 50) == crc_of(png.substr(37, 13)));
 }
 
 TEST_CASE("a panel's script says all that is said about it") {

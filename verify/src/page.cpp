@@ -142,7 +142,8 @@ std::string remarks(const std::vector<Outcome>& outcomes) {
 
 std::string figure(const Outcome& outcome, std::size_t i) {
   const console::Figure& drawn = outcome.result->figures[i];
-  std::vector<HtmlLink> links{{drawn.name + ".svg", drawn.name + ".svg"}, {drawn.name + ".png", drawn.name + ".png"}};
+  std::vector<HtmlLink> links;
+  for (const char* ending : {".svg", ".pdf", ".png"}) links.push_back({drawn.name + ending, drawn.name + ending});
   for (const console::DataFile& data : drawn.data) links.push_back({data.name, data.name});
   return console::html_figure(drawn, outcome.pictures[i], links);
 }

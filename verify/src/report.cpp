@@ -28,7 +28,7 @@ Json files_of(const Outcome& outcome) {
   for (const std::string& file : table_files(*outcome.study, *outcome.result)) files.push_back(file);
   for (std::size_t i = 0; i < outcome.pictures.size(); ++i) {
     const console::Figure& figure = outcome.result->figures[i];
-    for (const char* ending : {".svg", ".png"}) files.push_back(figure.name + ending);
+    for (const char* ending : {".svg", ".png", ".pdf"}) files.push_back(figure.name + ending);
     for (const console::DataFile& data : figure.data) files.push_back(data.name);
   }
   return files;

@@ -26,7 +26,8 @@ void require_known(const char* flag, const std::vector<std::string>& wanted, con
       throw console::BadInput(flag, word, fmt::format("one of: {}", fmt::join(known, "; ")));
 }
 
-/// Every field of "0.1,0.5" as a number.
+}  // namespace
+
 std::vector<double> numbers(const std::string& flag, const std::vector<std::string>& fields) {
   std::vector<double> values;
   for (const std::string& field : fields) {
@@ -36,8 +37,6 @@ std::vector<double> numbers(const std::string& flag, const std::vector<std::stri
   }
   return values;
 }
-
-}  // namespace
 
 void Selection::add_options(CLI::App& app) {
   app.add_option("--scheme", schemes_, "only this operator or solver, as the table names it; may be repeated")

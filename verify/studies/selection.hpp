@@ -8,6 +8,9 @@
 
 namespace ricochet::verify {
 
+/// Every field of "0.1,0.5" as a number. Throws CLI::ValidationError that names `flag` and a field that is none.
+std::vector<double> numbers(const std::string& flag, const std::vector<std::string>& fields);
+
 /// What a user wants of a convergence study; empty lists: everything.
 class Selection {
  public:

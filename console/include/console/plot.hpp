@@ -35,12 +35,13 @@ struct Figure {
   int width = 720;  ///< pixels
   int height = 450;
   std::string finding = {};  ///< what one sees in it, for those who cannot: sentences made from the numbers of this run
+  double text = 1;           ///< size of its letters, to that of the others
 };
 
 class OutputFolder;
 
-/// Adds the figure's data, `<name>.svg` and `<name>.png` to the folder; returns the SVG, which follows the reader's
-/// choice of light or dark. Throws Failed with gnuplot's own message when it
+/// Adds the figure's data, `<name>.svg`, for print `<name>.pdf` and, at 300 dpi, `<name>.png` to the folder; returns
+/// the SVG, which follows the reader's choice of light or dark. Throws Failed with gnuplot's own message when it
 /// rejects the script, warns or draws nothing, or is not installed.
 std::string draw(const Figure& figure, OutputFolder& folder);
 

@@ -22,6 +22,10 @@ Collision alpha_collision(double alpha, CollideMethod method = CollideMethod::au
 /// The conversion degrees that they draw, ascending.
 std::vector<double> drawn_degrees();
 
+/// The same collision at degrees of a reader's own in [-0.5, 2), over time, on a canvas of `size` "paper", two columns
+/// of a journal, or "talk", a slide.
+console::Figure chosen_degrees(const std::vector<double>& alphas, const std::string& size);
+
 /// How that collision's time and restitution follow α.
 struct DegreeSweep {
   std::vector<double> alpha, tcol, en;

@@ -148,4 +148,24 @@ console::Figure figure4() {
   return drawn;
 }
 
+console::Figure chosen_degrees(const std::vector<double>& alphas, const std::string& size) {
+  const Canvas canvas = size == "talk" ? Canvas{1280, 720, 1.5} : Canvas{672, 560, 1};
+  std::vector<Path> paths;
+  Ranges ranges;
+  double last = 0, strongest = 0;
+  for (std::size_t i = 0; i < alphas.size(); ++i) {
+    const double until = shown(alphas[i]);
+    last = std::max(last, until);
+    paths.push_back({fmt::format("α = {}", alphas[i]), closed_form(law_of(alphas[i]), pair.impact, until),
+                     line(i, std::to_string(1 + i / line_colours))});
+    // Past 1 the force begins infinite: of it as much is shown as a dashpot begins with.
+    const double dashpot = 1.2 * paper::alpha_study_c * pair.impact.velocity;
+    strongest = std::max(strongest, alphas[i] > 1 ? dashpot : 1.03 * alpha_collision(alphas[i]).max_force);
+  }
+  ranges.time = std::pair(0.0, 1.03e6 * last);
+  ranges.force = std::pair(0.0, strongest);
+  return overlaid("alphas", "The collision of Figs. 3 and 4 at chosen conversion degrees: overlap, velocity and force.",
+                  paths, over_time, ranges, canvas);
+}
+
 }  // namespace ricochet::verify::figures

@@ -84,9 +84,10 @@ console::Panel panel_of(const std::vector<const Path*>& paths, const Path* first
 }  // namespace
 
 std::string line(std::size_t i, const std::string& dash) {
-  constexpr const char* colours[] = {console::palette::purple, console::palette::blue, console::palette::green,
-                                     console::palette::orange, console::palette::vermilion};
-  return fmt::format("lines lw 2 dt {} lc rgb '{}'", dash, colours[i % std::size(colours)]);
+  constexpr const char* colours[line_colours] = {console::palette::purple, console::palette::blue,
+                                                 console::palette::green, console::palette::orange,
+                                                 console::palette::vermilion};
+  return fmt::format("lines lw 2 dt {} lc rgb '{}'", dash, colours[i % line_colours]);
 }
 
 console::Figure panels(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
@@ -121,23 +122,31 @@ console::Figure panels(const std::string& name, const std::string& caption, cons
 }
 
 console::Figure overlaid(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
-                         std::span<const Axes, 3> axes, const Ranges& ranges) {
+                         std::span<const Axes, 3> axes, const Ranges& ranges, const Canvas& canvas) {
   const console::SeriesFile file = file_of(name, paths);
+  const auto across = [&](double pixels) { return pixels * canvas.text / canvas.width; };
+  const auto down = [&](double pixels) { return pixels * canvas.text / canvas.height; };
   std::vector<const Path*> all;
   all.reserve(paths.size());
   for (const Path& path : paths) all.push_back(&path);
   console::Plot plot{.layout = console::Layout{.rows = 2,
                                                .columns = 2,
-                                               .left = 0.09,
-                                               .right = 0.97,
-                                               .bottom = 0.09,
-                                               .top = 0.97,
-                                               .between_columns = 0.1,
-                                               .between_rows = 0.12},
-                     .key_panel = "at graph 0.02,0.98 left top maxrows 6 font ',13' spacing 1.4 samplen 3"};
+                                               .left = across(86),
+                                               .right = 1 - across(29),
+                                               .bottom = down(68),
+                                               .top = 1 - down(23),
+                                               .between_columns = across(96),
+                                               .between_rows = down(91)},
+                     .key_panel = fmt::format("at graph 0.02,0.98 left top maxrows 6 font ',{}' spacing 1.4 samplen 3",
+                                              13 * canvas.text)};
   for (const Axes& a : axes) plot.panels.push_back(panel_of(all, paths.data(), file, a, ranges));
-  return {
-      .name = name, .caption = caption, .script = script_of(plot), .data = {file.data()}, .width = 960, .height = 760};
+  return {.name = name,
+          .caption = caption,
+          .script = script_of(plot),
+          .data = {file.data()},
+          .width = canvas.width,
+          .height = canvas.height,
+          .text = canvas.text};
 }
 
 std::vector<Instant> closed_form(const Fractional& law, const Impact& impact, double until) {

@@ -49,16 +49,23 @@ struct Column {
   Ranges ranges = {};
 };
 
-/// Style of the i-th path of a group, in colours that differ; `dash` as gnuplot counts them.
+/// Style of the i-th path of a group, in `line_colours` colours that differ; `dash` as gnuplot counts them.
+inline constexpr std::size_t line_colours = 5;
 std::string line(std::size_t i, const std::string& dash = "1");
 
 /// Rows of panels over columns of groups.
 console::Figure panels(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
                        std::span<const Axes> rows, const std::vector<Column>& columns);
 
+/// How large a picture is, in pixels of a screen of 96 to the inch, and its letters, to those of other figures.
+struct Canvas {
+  int width = 960, height = 760;
+  double text = 1;
+};
+
 /// All paths together in three panels, their key in a fourth.
 console::Figure overlaid(const std::string& name, const std::string& caption, const std::vector<Path>& paths,
-                         std::span<const Axes, 3> axes, const Ranges& ranges);
+                         std::span<const Axes, 3> axes, const Ranges& ranges, const Canvas& canvas = {});
 
 /// The closed form from t_b to `until` [s]. At t_b the force of α > 1 is infinite: the first point is left out.
 std::vector<Instant> closed_form(const Fractional& law, const Impact& impact, double until);

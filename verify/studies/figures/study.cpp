@@ -1,10 +1,15 @@
 #include "../paper.hpp"
+#include "../selection.hpp"
 #include "drawings.hpp"
 #include "solids.hpp"
 #include "third_group.hpp"
 
 #include <verify/registry.hpp>
 
+#include <console/exit.hpp>
+#include <console/number.hpp>
+
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,14 +49,14 @@ std::string how(CollisionStatus status) {
   }
 }
 
-Table degrees() {
+Table degrees(const std::vector<double>& alphas, const char* caption) {
   Table table({{"alpha", "", {Notation::Kind::fixed, 2}},
                {"ends with"},
                {"t_col", "1e-6 s", {Notation::Kind::significant, 5}},
                {"e_n", "", {Notation::Kind::fixed, 4}},
                {"overlap at the end", "1e-6 m", {Notation::Kind::significant, 4}}},
-              "How the collisions of Figs. 3 and 4 end");
-  for (const double alpha : figures::drawn_degrees()) {
+              caption);
+  for (const double alpha : alphas) {
     const Collision c = figures::alpha_collision(alpha);
     table.row({alpha, how(c.status), c.tcol * 1e6, c.en, c.overlap_end * 1e6});
   }
@@ -134,6 +139,40 @@ std::vector<Gate> gates(const std::vector<PrintedLaw>& laws, const figures::Degr
   return all;
 }
 
+/// The degrees that a reader asks for, and the size of their picture.
+class Chosen {
+ public:
+  void add_options(CLI::App& app) {
+    app.add_option_function<std::vector<std::string>>(
+           "--alpha", [this](const std::vector<std::string>& fields) { alphas_ = numbers("--alpha", fields); },
+           "also the collision of Figs. 3 and 4 at these conversion degrees: up to 10 in [-0.5, 2)")
+        ->type_name("A,A,…")
+        ->delimiter(',');
+    app.add_option("--size", size_, "of their figure, for: paper (default), talk")->type_name("SIZE");
+  }
+
+  void check() const {
+    for (const double alpha : alphas_)
+      if (!(alpha >= -0.5 && alpha < 2)) throw console::BadInput("--alpha", console::shortest(alpha), "in [-0.5, 2)");
+    if (alphas_.size() > most)
+      throw console::BadInput("--alpha", fmt::format("{} degrees", alphas_.size()), "at most 10");
+    if (!size_.empty() && size_ != "paper" && size_ != "talk")
+      throw console::BadInput("--size", size_, "paper or talk");
+    if (!size_.empty() && alphas_.empty()) throw console::BadInput("--size", size_, "given with --alpha");
+  }
+
+  void add_to(StudyResult& result) const {
+    if (alphas_.empty()) return;
+    result.tables.push_back(degrees(alphas_, "How the collision of Figs. 3 and 4 ends at the degrees asked for"));
+    result.figures.push_back(figures::chosen_degrees(alphas_, size_));
+  }
+
+ private:
+  static constexpr std::size_t most = 10;
+  std::vector<double> alphas_;
+  std::string size_;
+};
+
 class Figures : public Study {
  public:
   std::string name() const override { return "figures"; }
@@ -141,12 +180,15 @@ class Figures : public Study {
   std::string claim() const override {
     return "Figs. 2-5: the collision over time and in phase, what ends it at every alpha, and friction's F and T";
   }
+  void add_options(CLI::App& app) override { chosen_.add_options(app); }
   StudyResult run(const RunOptions&) override {
+    chosen_.check();
     const auto laws = figures::table2_laws();
     const figures::DegreeSweep sweep = figures::sweep_degrees();
     StudyResult result;
     const auto third = figures::third_group();
-    result.tables = {ends(laws), degrees(), figures::table(third)};
+    result.tables = {ends(laws), degrees(figures::drawn_degrees(), "How the collisions of Figs. 3 and 4 end"),
+                     figures::table(third)};
     result.gates = gates(laws, sweep);
     for (Gate& gate : figures::gates(third)) result.gates.push_back(std::move(gate));
     for (Gate& gate : figures::solids_gates()) result.gates.push_back(std::move(gate));
@@ -158,8 +200,12 @@ class Figures : public Study {
         "0.5. Below alpha = 0 the overlap ends the collision, the sooner the smaller alpha: t_col falls from {:.2f} µs "
         "at 0 to {:.2f} µs at -0.5.",
         1e6 * figures::alpha_collision(0).tcol, 1e6 * figures::alpha_collision(-0.5).tcol);
+    chosen_.add_to(result);
     return result;
   }
+
+ private:
+  Chosen chosen_;
 };
 
 }  // namespace
