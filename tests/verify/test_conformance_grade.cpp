@@ -120,6 +120,13 @@ TEST_CASE("conformance: every verdict, from both sides of what decides it") {
   CHECK(graded(name, jumps(0.4 * least_known)).verdict == Verdict::converges);
   CHECK(graded(name, [&](int n) { return 0.5 + jumps(0.4 * least_known)(n); }).verdict == Verdict::elsewhere);
 
+  // 12 b h² = 1 % at h = 1/800: b = 533. What is off by more than that is elsewhere all the same.
+  const auto coarse = [&](double limit, double b) { return [=](int n) { return limit + b / n / n; }; };
+  const double b_known = least_known / known;
+  CHECK(graded(name, coarse(0, 0.95 * b_known)).verdict == Verdict::converges);
+  CHECK(graded(name, coarse(0, 1.05 * b_known)).verdict == Verdict::too_coarse);
+  CHECK(graded(name, coarse(0.1, 1.05 * b_known)).verdict == Verdict::elsewhere);
+
   CHECK(graded(name, to(0), {25, 50, 100}).verdict == Verdict::not_run);
   CHECK(graded(name, to(0), {25, 50, 100, 200}).verdict == Verdict::converges);
   CHECK(grade(answered_case(name), nullptr).verdict == Verdict::not_run);

@@ -50,8 +50,10 @@ void observe(Graded& g) {
 Verdict verdict_of(const Graded& g) {
   const bool exact = std::all_of(g.error.begin(), g.error.end(), [&](double d) { return std::abs(d) <= g.floor; });
   if (exact) return Verdict::exact;
-  if (g.limit.uncertainty > least_known) return Verdict::does_not_converge;
-  return std::abs(g.limit.value) <= g.limit.uncertainty + g.floor ? Verdict::converges : Verdict::elsewhere;
+  const bool known = g.limit.uncertainty <= least_known;
+  if (!g.limit.settles && !known) return Verdict::does_not_converge;
+  if (std::abs(g.limit.value) > g.limit.uncertainty + g.floor) return Verdict::elsewhere;
+  return known ? Verdict::converges : Verdict::too_coarse;
 }
 
 std::vector<double> steps_of(const Case& of, const CaseResult& result) {
@@ -98,8 +100,8 @@ EnergyBalance balance(const Answered& answered, const CaseResult& result) {
 }  // namespace
 
 std::string_view text(Verdict verdict) noexcept {
-  constexpr std::array<std::string_view, 5> words{"exact", "converges to it", "converges elsewhere",
-                                                  "does not converge", "not run"};
+  constexpr std::array<std::string_view, 6> words{
+      "exact", "converges to it", "steps too coarse", "converges elsewhere", "does not converge", "not run"};
   return words[static_cast<std::size_t>(verdict)];
 }
 

@@ -12,11 +12,12 @@ namespace ricochet::verify::conformance {
 
 /// Ordered by how much is to be said against it.
 enum class Verdict {
-  exact,      ///< |d| ≤ f at every step
-  converges,  ///< |L| ≤ u + f
-  elsewhere,  ///< |L| > u + f
-  does_not_converge,
-  not_run  ///< fewer than `fewest_runs` runs, or two closer than `least_refinement`
+  exact,              ///< |d| ≤ f at every step
+  converges,          ///< |L| ≤ u + f
+  too_coarse,         ///< |L| ≤ u + f, but u > `least_known`: finer steps would tell
+  elsewhere,          ///< |L| > u + f
+  does_not_converge,  ///< does not settle, and u > `least_known`
+  not_run             ///< fewer than `fewest_runs` runs, or two closer than `least_refinement`
 };
 std::string_view text(Verdict verdict) noexcept;
 

@@ -109,9 +109,11 @@ std::string verdicts() {
       "impact, "
       "the collision time. L is the limit of the errors as the step goes to 0, u its uncertainty, f what the answer is "
       "known to and rounding.</p>\n<dl class=\"facts\">\n<dt>exact</dt><dd>every error is at most f</dd>\n"
-      "<dt>converges to it</dt><dd>|L| is at most u + f</dd>\n<dt>converges elsewhere</dt><dd>|L| is greater</dd>\n"
-      "<dt>does not converge</dt><dd>the values do not settle, or the limit is not known to {} %</dd>\n"
-      "<dt>not run</dt><dd>the engine cannot run it, or gave fewer than {} runs or too close ones</dd>\n</dl>\n",
+      "<dt>converges to it</dt><dd>|L| is at most u + f</dd>\n<dt>steps too coarse</dt><dd>so it is, but u is above "
+      "{0} %: finer steps would tell</dd>\n"
+      "<dt>converges elsewhere</dt><dd>|L| is greater</dd>\n"
+      "<dt>does not converge</dt><dd>the values do not settle, and u is above {0} %</dd>\n"
+      "<dt>not run</dt><dd>the engine cannot run it, or gave fewer than {1} runs or too close ones</dd>\n</dl>\n",
       console::shortest(100 * least_known), fewest_runs);
 }
 

@@ -35,6 +35,7 @@ console::Cell short_cell(const CaseGrade& grade) {
   switch (grade.verdict) {
     case Verdict::exact: return "✓ exact";
     case Verdict::converges: return worst->order_uncertainty <= 0.5 ? "✓ h^" + console::fixed(worst->order, 1) : "✓";
+    case Verdict::too_coarse: return "coarse";
     case Verdict::elsewhere: return "✗ " + percent(std::abs(worst->limit.value));
     case Verdict::does_not_converge: return "✗ no limit";
     case Verdict::not_run: break;
@@ -91,6 +92,7 @@ std::string in_short(const CaseGrade& grade) {
   if (grade.verdict == Verdict::exact) return "exact";
   if (grade.verdict == Verdict::converges)
     return worst->order_uncertainty <= 0.5 ? fmt::format("order {}", console::fixed(worst->order, 1)) : "converges";
+  if (grade.verdict == Verdict::too_coarse) return "steps too coarse";
   if (grade.verdict == Verdict::elsewhere) return "off by " + percent(std::abs(worst->limit.value));
   return grade.verdict == Verdict::not_run ? "not run" : "does not converge";
 }
@@ -111,14 +113,16 @@ Table engine_table(const std::vector<EngineGrade>& engines) {
                {"date"},
                {"exact"},
                {"converges to it"},
+               {"steps too coarse"},
                {"converges elsewhere"},
                {"does not converge"},
                {"not run"}},
               "Engines, by the number of cases");
   for (const EngineGrade& e : engines)
     table.row({static_cast<std::int64_t>(table.rows().size() + 1), e.results.engine, e.results.version, e.results.date,
-               whole(e.count(Verdict::exact)), whole(e.count(Verdict::converges)), whole(e.count(Verdict::elsewhere)),
-               whole(e.count(Verdict::does_not_converge)), whole(e.count(Verdict::not_run))});
+               whole(e.count(Verdict::exact)), whole(e.count(Verdict::converges)), whole(e.count(Verdict::too_coarse)),
+               whole(e.count(Verdict::elsewhere)), whole(e.count(Verdict::does_not_converge)),
+               whole(e.count(Verdict::not_run))});
   return table;
 }
 
@@ -134,7 +138,9 @@ Table side_by_side(const std::vector<EngineGrade>& engines, Heads heads) {
   }
   table.note(
       "✓: right, converges to the answer, its errors falling with this power of the step h where one is to be seen (of "
-      "the number that is farthest off). ✗: converges elsewhere, off by this share of the answer's scale. -: not run.");
+      "the number that is farthest off). ✗: converges elsewhere, off by this share of the answer's scale. coarse: "
+      "finer "
+      "steps would tell. -: not run.");
   return table;
 }
 
@@ -183,8 +189,8 @@ Table cause_table(const std::vector<EngineGrade>& engines) {
 Json to_json(const EngineGrade& engine) {
   Json cases = Json::array(), counts = Json::object();
   for (const CaseGrade& c : engine.cases) cases.push_back(json(c));
-  for (const Verdict v :
-       {Verdict::exact, Verdict::converges, Verdict::elsewhere, Verdict::does_not_converge, Verdict::not_run})
+  for (const Verdict v : {Verdict::exact, Verdict::converges, Verdict::too_coarse, Verdict::elsewhere,
+                          Verdict::does_not_converge, Verdict::not_run})
     counts[std::string(text(v))] = engine.count(v);
   return {{"engine", engine.results.engine},
           {"version", engine.results.version},

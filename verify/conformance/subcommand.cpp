@@ -73,6 +73,8 @@ void add_gates(StudyResult& result, const EngineGrade& engine) {
     const std::string name = fmt::format("{}: {}", label(engine.results), c.of->name);
     if (c.verdict == Verdict::not_run && c.note.starts_with("failed"))
       result.gates.push_back(holds(fmt::format("{}: runs ({})", name, c.note), false));
+    else if (c.verdict == Verdict::too_coarse)
+      result.skipped.push_back(name + " (steps too coarse to tell)");
     else if (c.verdict == Verdict::not_run)
       result.skipped.push_back(fmt::format("{} ({})", name, c.note));
     else if (c.verdict == Verdict::does_not_converge)
