@@ -3,8 +3,8 @@
 
 set(analysed core/src console calibrate verify simulate)
 # clang-tidy takes some seconds a file: as parts of about the same work, which ctest runs side by side.
-set(tidy_parts core/src verify/studies "calibrate/(src|exports)" calibrate/program console "simulate|verify/(src|main)"
-  engines/half_step)
+set(tidy_parts core/src verify/studies "calibrate/(src|exports)" calibrate/program console
+  "simulate|verify/(src|main|conformance)" engines/half_step)
 find_program(RUN_CLANG_TIDY run-clang-tidy)
 if(RUN_CLANG_TIDY AND CMAKE_EXPORT_COMPILE_COMMANDS)
   # g++'s compile commands serve as well: clang only has to pass over the warnings that it does not know.
