@@ -157,17 +157,21 @@ std::optional<Cause> repeated_by(const Case& as, const std::string& what, const 
   return std::nullopt;
 }
 
+/// That of another case's answers which is to the same question.
+const Answer& answer_like(const Graded& g, const std::vector<Answer>& other) {
+  return *std::find_if(other.begin(), other.end(),
+                       [&](const Answer& a) { return a.quantity == g.answer.quantity && a.body == g.answer.body; });
+}
+
 /// Greatest difference of the engine's limits from another case's answers; nothing where one is farther than it may be.
 std::optional<double> misfit_of_limits(const std::vector<Answer>& other, const CaseGrade& grade) {
   double worst = 0;
   for (const Graded& g : grade.answers) {
     if (!g.answer.required) continue;
-    const auto same = std::find_if(other.begin(), other.end(), [&](const Answer& a) {
-      return a.quantity == g.answer.quantity && a.body == g.answer.body;
-    });
-    const double there = (same->value - g.answer.value) / g.answer.scale;
+    const Answer& same = answer_like(g, other);
+    const double there = (same.value - g.answer.value) / g.answer.scale;
     const double off = std::abs(there - g.limit.value);
-    if (!(off <= g.limit.uncertainty + g.floor + same->error / g.answer.scale)) return std::nullopt;
+    if (!(off <= g.limit.uncertainty + g.floor + same.error / g.answer.scale)) return std::nullopt;
     worst = std::max(worst, off);
   }
   return worst;
@@ -186,10 +190,8 @@ std::vector<Answer> answers_or_none(const Case& c) {
 bool is_same(const std::vector<Answer>& other, const CaseGrade& grade) {
   if (other.empty()) return false;
   return std::all_of(grade.answers.begin(), grade.answers.end(), [&](const Graded& g) {
-    const auto same = std::find_if(other.begin(), other.end(), [&](const Answer& a) {
-      return a.quantity == g.answer.quantity && a.body == g.answer.body;
-    });
-    return !g.answer.required || std::abs(same->value - g.answer.value) <= rounding * g.answer.scale;
+    const double off = answer_like(g, other).value - g.answer.value;
+    return !g.answer.required || std::abs(off) <= rounding * g.answer.scale;
   });
 }
 

@@ -83,6 +83,17 @@ bool reported(const CaseResult& result, Quantity quantity) {
   });
 }
 
+/// Why these runs, by their steps, cannot be graded; empty where they can.
+std::string too_little(const std::vector<Run>& runs) {
+  if (runs.size() < fewest_runs)
+    return fmt::format("{} runs: {} are needed to tell where they go", runs.size(), fewest_runs);
+  for (std::size_t i = 1; i < runs.size(); ++i)
+    if (runs[i].steps < least_refinement * runs[i - 1].steps)
+      return fmt::format("runs of {} and {} steps: must be {} times as many or more to tell where they go",
+                         runs[i - 1].steps, runs[i].steps, least_refinement);
+  return {};
+}
+
 EnergyBalance balance(const Answered& answered, const CaseResult& result) {
   const Case& of = answered.of;
   const double start = energy(of.bodies, {});
@@ -136,16 +147,6 @@ std::vector<Answered> answered(const std::vector<Case>& cases) {
   all.reserve(cases.size());
   for (const Case& c : cases) all.push_back({c, c.solver(c, ContactArm::radius), answers(c)});
   return all;
-}
-
-std::string too_little(const std::vector<Run>& runs) {
-  if (runs.size() < fewest_runs)
-    return fmt::format("{} runs: {} are needed to tell where they go", runs.size(), fewest_runs);
-  for (std::size_t i = 1; i < runs.size(); ++i)
-    if (runs[i].steps < least_refinement * runs[i - 1].steps)
-      return fmt::format("runs of {} and {} steps: must be {} times as many or more to tell where they go",
-                         runs[i - 1].steps, runs[i].steps, least_refinement);
-  return {};
 }
 
 CaseGrade grade(const Answered& answered, const CaseResult* result) {

@@ -100,9 +100,6 @@ struct Answered {
 };
 std::vector<Answered> answered(const std::vector<Case>& cases);
 
-/// Why these runs, by their steps, cannot be graded; empty where they can.
-std::string too_little(const std::vector<Run>& runs);
-
 /// `result`: nullptr where the engine's file does not have the case. Without causes.
 CaseGrade grade(const Answered& answered, const CaseResult* result);
 
