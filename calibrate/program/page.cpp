@@ -96,9 +96,9 @@ struct Stepped {
 std::vector<Stepped> steppings(const Report& report) {
   std::vector<Stepped> all;
   for (const Calibration& r : report.results) {
-    const bool located = is_located(r.law, r.end);
-    all.push_back({title_of(r) + (located ? ", touch located" : ""),
-                   step_errors(r.law, r.end, r.request.target, located ? Stepping::located : Stepping::half_step)});
+    const Stepping stepping = stepping_of(r.law, r.end);
+    all.push_back({title_of(r) + (stepping == Stepping::located ? ", touch located" : ""),
+                   step_errors(r.law, r.end, r.request.target, stepping)});
   }
   return all;
 }
@@ -173,7 +173,7 @@ std::string about_laws(const Report& report) {
 <p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force from the position at the end of the step)"
       R"( and the velocity at its middle, a contact found once the bodies overlap. The error is the greatest over)"
       R"( sixteen places of the first touch within a step. liggghts-ricochet and lammps-ricochet locate touch and end.)"
-      R"( The table of time steps above is read off these curves.</p>
+      R"( The table of time steps above is read off these curves, but names no step that those two warn of.</p>
 {}{})",
       console::html_figure(curves, console::svg_of(curves), {}),
       console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}),
