@@ -90,9 +90,9 @@ std::string where_walls_are(const ContactSet& set) {
         fmt::format("ricochet_wall{} is the plane {} = {}", suffix_of(set, wall), plane.axis, plane.place));
   }
   if (places.empty()) return "";
-  return fmt::format("Say where the {} in the {} before you include this file; as it is, {}.",
-                     places.size() == 1 ? "wall is" : "walls are", places.size() == 1 ? "variable" : "variables",
-                     fmt::join(places, ", "));
+  const bool one = places.size() == 1;
+  return fmt::format("Set {} to where the {} before you include this file; without, {}.",
+                     one ? "the variable" : "these variables", one ? "wall is" : "walls are", fmt::join(places, ", "));
 }
 
 std::optional<std::vector<double>> in_series(const ContactSet& set,

@@ -64,7 +64,7 @@ struct WallPlane {
 /// The first kind at z = 0, the next ones at x = 0 and y = 0, then a metre further: never two in one place, where each
 /// would push the same grains.
 WallPlane plane_of(const ContactSet& set, std::size_t kind);
-/// "Say where the wall is in the variable … as it is, ricochet_wall is the plane z = 0."; "" without walls.
+/// "Set the variable to where the wall is … without, ricochet_wall is the plane z = 0."; "" without walls.
 std::string where_walls_are(const ContactSet& set);
 
 /// Two things in series, x_i + x_j = 1/value(pair): what each kind contributes, 1/(2 value) of a pair of its own, and

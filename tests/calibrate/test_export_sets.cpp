@@ -148,7 +148,7 @@ TEST_CASE("no two kinds of wall stand in one place until the deck places them, a
   CHECK(acts_on(liggghts, "variable ricochet_wall_lid index \"primitive type 5 zplane 1.0\""));
   for (const Snippet& snippet : {lammps, liggghts}) {
     std::string words = snippet.remarks.front();
-    CHECK(words.find("Say where the walls are in the variables before you include this file; as it is, "
+    CHECK(words.find("Set these variables to where the walls are before you include this file; without, "
                      "ricochet_wall_floor is the plane z = 0, ricochet_wall_side is the plane x = 0, "
                      "ricochet_wall_back is the plane y = 0, ricochet_wall_lid is the plane z = 1.") !=
           std::string::npos);
