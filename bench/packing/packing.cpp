@@ -58,10 +58,10 @@ ClusterSetup setup_of(const Packing& packing, const std::string& kind) {
   return setup;
 }
 
-ClusterOptions options_of(double tolerance, int threads = 1) {
+ClusterOptions options_of(double tolerance, int threads = 1, double h = step) {
   // What 12 arms reach over 1000 steps.
-  return {.step = step,
-          .longest_contact = 1000 * step,
+  return {.step = h,
+          .longest_contact = 1000 * h,
           .kernel_tolerance = 2e-6,
           .solver_tolerance = tolerance,
           .records = false,
@@ -169,6 +169,34 @@ void run(const std::string& kind, const std::string& file, int steps, double tol
               sweeps / steps, static_cast<unsigned long long>(cluster.state().unconverged - unconverged));
 }
 
+// How far from each other spheres are, in radii, by root mean square.
+double apart(const Cluster& a, const Cluster& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec3 d = (a.position(i) - b.position(i)) / radius;
+    sum += dot(d, d);
+  }
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+// What halving the step changes in a packing of springs and in one of rigid friction, and what a tolerance of the sweeps
+// changes in this.
+void accuracy(const std::string& file, double seconds) {
+  const Packing packing = read(file);
+  const auto after = [&](const std::string& kind, double tolerance, double h) {
+    Cluster cluster(setup_of(packing, kind), options_of(tolerance, 1, h));
+    cluster.advance(static_cast<std::uint64_t>(std::llround(seconds / h)));
+    return cluster;
+  };
+  constexpr double exact = 1e-10;
+  std::printf("springs, half the step %9.2e radii\n",
+              apart(after("springs", exact, step / 2), after("springs", exact, step)));
+  const Cluster best = after("rigid", exact, step);
+  std::printf("rigid, half the step   %9.2e radii\n", apart(after("rigid", exact, step / 2), best));
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5})
+    std::printf("rigid, %.0e           %9.2e radii\n", tolerance, apart(after("rigid", tolerance, step), best));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -186,8 +214,13 @@ int main(int argc, char** argv) {
       run(a[1], a[2], std::stoi(a[3]), std::stod(a[4]), std::stoi(a[5]));
       return 0;
     }
+    if (a.size() == 3 && a[0] == "accuracy") {
+      accuracy(a[1], std::stod(a[2]));
+      return 0;
+    }
     std::fputs(
-        "packing settle COUNT FILE SECONDS | packing deck FILE STEPS | packing run KIND FILE STEPS TOLERANCE THREADS\n",
+        "packing settle COUNT FILE SECONDS | packing deck FILE STEPS | packing run KIND FILE STEPS TOLERANCE THREADS | "
+        "packing accuracy FILE SECONDS\n",
         stderr);
     return 2;
   } catch (const std::exception& e) {
