@@ -66,10 +66,10 @@ std::string one_row(const Table& table, std::size_t row, const std::vector<std::
                     const TableView& view) {
   std::string html = "<tr>";
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    const bool raw = i == 0 && !view.raw_first.empty();
+    const bool raw = row < view.raw.size() && i < view.raw[row].size();
     const std::string plain = shown(table.rows()[row][i], table.columns()[i].notation);
     // A number can be copied as it stands.
-    const std::string cell = raw ? view.raw_first[row] : table.right_aligned(i) ? escaped(plain) : html_text(plain);
+    const std::string cell = raw ? view.raw[row][i] : table.right_aligned(i) ? escaped(plain) : html_text(plain);
     html += i == 0 && !cell.empty() ? fmt::format(R"(<th scope="row"{}>{}</th>)", classes[i], cell)
                                     : fmt::format("<td{}>{}</td>", classes[i], cell);
   }
@@ -155,13 +155,24 @@ std::string html_figure(const Figure& figure, const std::string& svg, const std:
       fmt::arg("source", source));
 }
 
+std::string html_contents(const std::vector<HtmlLink>& links) {
+  std::string list;
+  for (const HtmlLink& link : links)
+    list += fmt::format("<li><a href=\"{}\">{}</a></li>\n", escaped(link.address), html_text(link.text));
+  return fmt::format("<nav class=\"contents\" id=\"contents\" aria-label=\"Contents\">\n<ul>\n{}</ul>\n</nav>\n", list);
+}
+
+std::string html_copy(std::string_view id, std::string_view label) {
+  return fmt::format(R"(<button type="button" hidden data-copy="{}" aria-label="Copy {}">Copy</button>)", id,
+                     escaped(label));
+}
+
 std::string html_code(std::string_view id, std::string_view label, std::string_view text) {
-  return fmt::format(
-      R"(<div class="code"><div class="bar"><span>{label}</span><span><span class="soft" role="status"></span>)"
-      R"( <button type="button" hidden data-copy="{id}" aria-label="Copy {label}">Copy</button></span></div>)"
-      R"(<pre tabindex="0" role="region" aria-label="{label}"><code id="{id}">{text}</code></pre></div>
+  return fmt::format(R"(<div class="code"><div class="bar"><span>{label}</span>{copy}</div>)"
+                     R"(<pre tabindex="0" role="region" aria-label="{label}"><code id="{id}">{text}</code></pre></div>
 )",
-      fmt::arg("label", escaped(label)), fmt::arg("id", id), fmt::arg("text", escaped(text)));
+                     fmt::arg("label", escaped(label)), fmt::arg("copy", html_copy(id, label)), fmt::arg("id", id),
+                     fmt::arg("text", escaped(text)));
 }
 
 std::string html_page(std::string_view title, std::string_view body, const PageParts& own) {

@@ -1,3 +1,4 @@
+#include "svg_corners.hpp"
 #include "svg_theme.hpp"
 
 #include <console/child.hpp>
@@ -122,7 +123,8 @@ class Workshop {
     for (const DataFile& data : figure.data) folder_.write(data.name, data.bytes);
   }
   std::string svg() const {
-    return themed(picture(figure_, svg_terminal(figure_), folder_.path()), figure_.caption, figure_.finding);
+    return themed(with_fewer_corners(picture(figure_, svg_terminal(figure_), folder_.path())), figure_.caption,
+                  figure_.finding);
   }
   std::string png() const { return with_resolution(picture(figure_, png_terminal(figure_), folder_.path())); }
   std::string pdf() const { return without_time(picture(figure_, pdf_terminal(figure_), folder_.path())); }

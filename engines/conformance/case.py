@@ -124,7 +124,7 @@ def dot(a: Sequence[float], b: Sequence[float]) -> float:
 
 
 def length(a: Sequence[float]) -> float:
-    return math.hypot(*a)
+    return math.sqrt(dot(a, a))
 
 
 def effective_mass(a: Body, b: Optional[Body]) -> float:

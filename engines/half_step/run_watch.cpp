@@ -20,7 +20,7 @@ std::optional<RunWatch::Remark> RunWatch::look_at_step(std::size_t kind, double 
                               "advised)",
                               dt, least_steps, tcol, advised_steps),
                   true};
-  if (steps >= advised_steps || coarse_said_) return std::nullopt;
+  if (steps * (1 + known_to) >= advised_steps || coarse_said_) return std::nullopt;
   coarse_said_ = true;
   return Remark{
       fmt::format("timestep = {:.6g} leaves {:.3g} steps to the shortest collision time, {:.6g}; {} are "

@@ -40,7 +40,7 @@ def still(program, case, folder):
     if case.name == "odd":
         raise kit.NotRun("no words for it")
     if case.name == "ill":
-        adapter.run_engine(["/bin/sh", "-c", f"echo 'ERROR: {folder}/deck: too bad, really'; echo bye; exit 3"], folder)
+        adapter.run_engine(["/bin/sh", "-c", f"echo 'ERROR: {folder}/deck: schlecht, tatsächlich'; echo bye; exit 3"], folder)
     return [outcome.Run(n, [outcome.State(b.position, b.velocity, b.spin) for b in case.bodies], 1e-4, None)
             for n in case.steps]
 
@@ -50,11 +50,11 @@ def test_results_are_rows_and_notes(tmp_path):
         written(tmp_path, case=name)
     result = tmp_path / "toy.csv"
     assert adapter.main(engine(still), [str(tmp_path), "-o", str(result), "--steps", "50"]) == 0
-    lines = result.read_text().splitlines()
+    lines = result.read_text(encoding="utf-8").splitlines()
     assert lines[:2] == ["# engine: Toy", "# version: 1.2"]
     assert lines[2].startswith("# date: 20") and lines[3].startswith("# by: engines/conformance/")
     assert lines[4] == "case,steps,body,x,y,z,vx,vy,vz,wx,wy,wz,contact_time,max_overlap,note"
-    assert lines[5] == 'ill' + "," * 14 + '"failed: ERROR: deck: too bad, really"'
+    assert lines[5] == 'ill' + "," * 14 + '"failed: ERROR: deck: schlecht, tatsächlich"'
     assert lines[6] == "odd" + "," * 14 + "no words for it"
     assert lines[7] == "pair,50,1,-0.0015,0.0,0.0,0.25,0.0,0.0,0.0,0.0,0.0,0.0001,,"
     assert lines[8] == "pair,50,2,0.0015,0.0,0.0,-0.25,0.0,0.0,0.0,0.0,0.0,0.0001,,"

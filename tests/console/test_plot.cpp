@@ -1,3 +1,4 @@
+#include "../../console/src/svg_corners.hpp"
 #include "../../console/src/svg_theme.hpp"
 #include "temporary_folder.hpp"
 
@@ -202,15 +203,55 @@ TEST_CASE("a law has one colour, whatever words stand behind its name, and no tw
   CHECK(colours.size() == ricochet::Laws::size);
 }
 
+TEST_CASE("the key of a collision names every curve of every law and end, and its time ends where they do") {
+  const std::vector<Moment> moments{{0, 0, 1, 0}, {0.5, 1, 0, 1}, {1, 0, -1, 0}};
+  std::vector<Motion> motions{{"linear, ended by overlap", moments}};
+  for (const std::string_view law : ricochet::Laws::names)
+    motions.push_back({std::string(law) + ", ended by force", moments});
+  const Figure figure = collision_panels("laws", "", motions);
+  const std::string svg = svg_of(figure);
+  for (const Motion& motion : motions) {
+    INFO(motion.title);
+    CHECK(svg.find(">" + motion.title + "<") != std::string::npos);
+  }
+  CHECK(figure.script.find("set xrange [0:1.03]") != std::string::npos);
+}
+
 TEST_CASE("a law that is drawn twice is dashed the second time") {
   const std::vector<Moment> moments{{0, 0, 1, 0}, {1, 1, 0, 1}};
   const Figure figure = collision_panels("laws", "", {{"linear1", moments}, {"tsuji", moments}, {"linear2", moments}});
   const auto drawn = [&](const char* colour, int dash) {
-    return figure.script.find(std::string("lc rgb '") + colour + "' lw 2.2 dt " + std::to_string(dash)) !=
+    return figure.script.find(std::string("lc rgb '") + colour + "' dt " + std::to_string(dash) + " lw 2.2") !=
            std::string::npos;
   };
   CHECK(drawn(palette::blue, 1));
   CHECK(drawn(palette::blue, 2));
   CHECK(drawn(palette::orange, 1));
   CHECK_FALSE(drawn(palette::orange, 2));
+}
+
+TEST_CASE("lines keep the corners that show, each within a tenth of a pixel, and groups that hold something") {
+  // A parabola whose chords of n pixels sag by n^2/8000: those of 28 may stay, no steeper than 0.4.
+  std::string path = "M0.00,0.00";
+  for (int i = 1; i <= 400; ++i) path += " L" + std::to_string(i) + ".00," + std::to_string(i * i / 2000.0);
+  const auto drawn = [](const std::string& d) { return "<svg><path stroke='black' d='" + d + "'/></svg>"; };
+  const std::string thin = with_fewer_corners(drawn(path));
+  std::vector<double> kept;
+  for (auto at = thin.find_first_of("ML"); at != std::string::npos; at = thin.find_first_of("ML", at + 1))
+    kept.push_back(std::stod(thin.substr(at + 1)));
+  CHECK(kept.front() == 0);
+  CHECK(kept.back() == 400);
+  CHECK(kept.size() > 400 / 31);
+  CHECK(kept.size() < 400 / 14);
+  for (std::size_t i = 1; i < kept.size(); ++i) CHECK(kept[i] - kept[i - 1] < 31);
+
+  CHECK(with_fewer_corners(drawn("M0,0 L5,0.05 L10,0 L10,10 \t\n")) == drawn("M0,0 L10,0 L10,10"));
+  CHECK(with_fewer_corners(drawn("M0,0 L5,0.2 L10,0")) == drawn("M0,0 L5,0.2 L10,0"));
+  // Closed, and several in one; there and back is a line too.
+  CHECK(with_fewer_corners(drawn("M0,0 L5,0 L9,0 L9,9 Z M1,1 L3,1 L2,1")) == drawn("M0,0 L9,0 L9,9 Z M1,1 L3,1 L2,1"));
+  const std::string arc = drawn("M-1,0 h2 M0,-1 v2"), numbers = drawn("M1,1 L2,x");
+  CHECK(with_fewer_corners(arc) == arc);
+  CHECK(with_fewer_corners(numbers) == numbers);
+  CHECK(with_fewer_corners("<g fill=\"none\">\n</g>\n<g id=\"a\"><g id=\"b\"></g><text/></g>") ==
+        "<g id=\"a\"><text/></g>");
 }

@@ -113,6 +113,22 @@ TEST_CASE("A bounce under a law of a real solid is of second order too") {
   }
 }
 
+TEST_CASE("The rate at a step's end is exact for one that changes linearly, from three rates for a quadratic one") {
+  for (const double bend : {0., 0.7}) {
+    const auto rate = [&](double steps) { return 2 - 3 * steps + bend * steps * steps; };  // at steps from now
+    if (bend == 0) CHECK(rate_at_end(rate(-0.5), rate(-1.5), 0) == Approx(rate(0)).epsilon(1e-14));
+    CHECK(rate_at_end(rate(-0.5), rate(-1.5), rate(-2.5)) == Approx(rate(0)).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("A force that ends within the next step has the weight of a ramp's first kick, seen from its end") {
+  const double fall = 3;
+  for (const double theta : {0.01, 0.4, 0.99})
+    CHECK(last_weighted(theta * fall, (1 + theta) * fall) == Approx(fall * start_weight(1, theta)).epsilon(1e-6));
+  CHECK(last_weighted(1.01 * fall, 2.01 * fall) == 1.01 * fall);  // it goes on
+  CHECK(last_weighted(-0.1, 1) == -0.1);
+}
+
 TEST_CASE("At a constant rate the force is the derivative's closed form, whatever the steps") {
   // D^α(vt) = v t^{1−α}/Γ(2−α), to the kernel's error; only the first step is weighted for the engine's sum.
   const double dt = 0.01, v = 0.7;

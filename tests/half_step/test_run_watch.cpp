@@ -34,6 +34,15 @@ TEST_CASE("a step above a twentieth of the collision time is warned of once a ru
   CHECK(watch.look_at_step(0, 1, tcol, tcol / 4.01));
 }
 
+TEST_CASE("the step that is advised is not warned of where the collision time is known to 1e-4 alone") {
+  for (const double off : {-1e-4, 0., 1e-4}) {
+    RunWatch watch = in_run();
+    CHECK_FALSE(watch.look_at_step(0, 1, tcol * (1 + off), tcol / RunWatch::advised_steps));
+  }
+  RunWatch watch = in_run();
+  CHECK(watch.look_at_step(0, 1, tcol, tcol / (0.998 * RunWatch::advised_steps)));
+}
+
 TEST_CASE("only pairs lighter than those of their kind before are looked at") {
   RunWatch watch = in_run();
   CHECK(watch.is_lightest(0, 2));
@@ -49,6 +58,8 @@ TEST_CASE("an overlap of a tenth of the radius is said once a run") {
   REQUIRE(watch.is_soft(0.202, 2));
   CHECK(watch.soft(0.202, 2).text.find("10.1 % of the smaller radius") != std::string::npos);
   CHECK_FALSE(watch.is_soft(0.5, 1));
+  watch.begin_run(2, 100, 200);
+  CHECK(watch.is_soft(0.5, 1));
 }
 
 TEST_CASE("memory lost by a reset of the step is said at the first step after it") {

@@ -22,15 +22,11 @@ using console::Table;
 std::string anchor(const EngineGrade& e) { return "engine-" + file_stem(e.results); }
 
 std::string contents(const std::vector<EngineGrade>& engines) {
-  std::string list =
-      "<li><a href=\"#engines\">Engines</a></li>\n<li><a href=\"#verdicts\">What the verdicts mean</a></li>\n"
-      "<li><a href=\"#cases\">Cases by engine</a></li>\n";
-  for (const EngineGrade& e : engines)
-    list += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", anchor(e), escaped(label(e.results)));
-  list +=
-      "<li><a href=\"#sources\">Sources</a></li>\n"
-      "<li><a href=\"#made\">How this page was made</a></li>\n";
-  return fmt::format("<nav class=\"contents\" id=\"contents\" aria-label=\"Contents\">\n<ul>\n{}</ul>\n</nav>\n", list);
+  std::vector<console::HtmlLink> links{
+      {"#engines", "Engines"}, {"#verdicts", "What the verdicts mean"}, {"#cases", "Cases by engine"}};
+  for (const EngineGrade& e : engines) links.push_back({"#" + anchor(e), label(e.results)});
+  links.insert(links.end(), {{"#sources", "Sources"}, {"#made", "How this page was made"}});
+  return console::html_contents(links);
 }
 
 /// Families of which every case that was run is right.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 
 namespace ricochet::verify {
@@ -46,8 +47,16 @@ console::OutputFolder* folder_of(const Options& options, console::Together& file
   return options.folder.empty() ? nullptr : &files.folder(options.folder);
 }
 
+/// Of what comes into that folder, names that are known before anything is computed.
+void add_known(std::vector<console::NamedFile>& outputs, const char* flag, const std::string& folder,
+               const std::string& stem, std::initializer_list<const char*> endings) {
+  if (folder.empty()) return;
+  for (const char* const ending : endings) outputs.push_back({flag, fmt::format("{}/{}{}", folder, stem, ending)});
+}
+
 Exit run_one(Study& study, const Options& options) {
   std::vector<console::NamedFile> outputs = study.outputs();
+  add_known(outputs, "--figures", options.folder, study.name(), {".json", ".csv", "-gates.csv"});
   outputs.push_back({"-o", options.output.file});
   console::require_apart(study.inputs(), outputs);
   console::Together files;
@@ -119,6 +128,12 @@ std::string shown_all(const std::vector<Outcome>& outcomes, Format format) {
 
 Exit run_all(const Studies& studies, const Options& options) {
   Exit worst = Exit::done;
+  std::vector<console::NamedFile> outputs;
+  add_known(outputs, "--report", options.folder, "", {"index.html", "report.json"});
+  for (const auto& study : studies)
+    add_known(outputs, "--report", options.folder, study->name(), {".json", ".csv", "-gates.csv"});
+  outputs.push_back({"-o", options.output.file});
+  console::require_apart({}, outputs);
   console::Together files;
   console::OutputFolder* const folder = folder_of(options, files);
   console::Output& output = files.output(options.output.file);

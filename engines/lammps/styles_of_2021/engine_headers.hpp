@@ -13,6 +13,7 @@ format_args make_args_checked(const Text&, const Args&...);
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "fix.h"
 #include "force.h"

@@ -25,9 +25,7 @@ FixWallFractional::FixWallFractional(LAMMPS_NS::LAMMPS* lmp, int narg, char** ar
   const int words = words_before_law + GivenLaw::words;
   if (narg < words) model_.refuse("must be xplane|yplane|zplane LO HI, then K C ALPHA or target T_COL E_N");
   axis_ = axis_of(arg[3], model_);
-  for (int side = 0; side < 2; ++side)
-    if (std::string(arg[4 + side]) != "NULL")
-      planes_[side] = LAMMPS_NS::utils::numeric(FLERR, arg[4 + side], false, lmp);
+  read_planes(arg + 4);
   law_ = GivenLaw::read({arg + words_before_law, GivenLaw::words}, lmp);
   model_.read_settings({arg + words, static_cast<std::size_t>(narg - words)});
   vector_flag = 1;
@@ -36,10 +34,21 @@ FixWallFractional::FixWallFractional(LAMMPS_NS::LAMMPS* lmp, int narg, char** ar
   extvector = 1;
 }
 
+void FixWallFractional::read_planes(char** arg) {
+  for (int side = 0; side < 2; ++side)
+    if (std::string(arg[side]) != "NULL") planes_[side] = LAMMPS_NS::utils::numeric(FLERR, arg[side], false, lmp);
+  if (!planes_[0] && !planes_[1]) model_.refuse("NULL NULL: at least one of LO and HI must be a place");
+  if (planes_[0] && planes_[1] && !(*planes_[0] < *planes_[1]))
+    model_.refuse(fmt::format("{} {}: must be LO < HI, the grains between them", arg[0], arg[1]));
+}
+
 int FixWallFractional::setmask() { return GrainContacts::setmask() | LAMMPS_NS::FixConst::POST_FORCE; }
 
 void FixWallFractional::init() {
   model_.check_deck();
+  // Grains beyond it would be taken to the other side, where the plane does not see them.
+  if (domain->periodicity[axis_] != 0)
+    model_.refuse(fmt::format("{}plane: the box must not be periodic in {} (boundary)", "xyz"[axis_], "xyz"[axis_]));
   model_.begin_run({&law_, 1});
   double here = std::numeric_limits<double>::infinity(), lightest = 0;
   for (int i = 0; i < atom->nlocal; ++i)

@@ -23,6 +23,7 @@ class FixWallFractional : public GrainContacts {
   double compute_vector(int n) override;
 
  private:
+  void read_planes(char** arg);
   void press(int i, Partner side);
 
   FractionalModel model_;

@@ -9,6 +9,7 @@
 #include <dlfcn.h>
 #include <mpi.h>
 
+#include <cstdlib>
 #include <exception>
 #include <string_view>
 #include <typeinfo>
@@ -36,6 +37,31 @@ void add_styles(LAMMPS_NS::LAMMPS& lmp) {
   (*lmp.modify->fix_map)[PairContacts::style_name] = &make_fix<PairContacts>;
 }
 
+const LAMMPS_NS::LAMMPS* reading = nullptr;  // the engine, while it reads its deck
+
+// Whoever takes a deck for the LAMMPS of Debian 13 hears of a word that LAMMPS does not know, which tells nothing. It
+// ends the process there; the command that it has refused still stands in `input`.
+void explain_words_of_2025() {
+  if (!reading || reading->comm->me != 0) return;
+  const LAMMPS_NS::Input& input = *reading->input;
+  const auto word = [&](int i) { return i < 0 ? std::string_view() : std::string_view(input.arg[i]); };
+  for (int i = 0; i < input.narg; ++i) {
+    if (!word(i).starts_with("fractional/") && !(word(i) == "fractional" && word(i - 1) == "damping")) continue;
+    fmt::print(stderr,
+               "lammps-ricochet: {}: is for the LAMMPS of Debian 13 (4 Feb 2025); this one, of 29 Sep 2021, has "
+               "pair_style fractional and fix wall/fractional: see examples/lammps/debian12 and docs/lammps.md\n",
+               word(i));
+    return;
+  }
+}
+
+void read_deck(LAMMPS_NS::LAMMPS& lmp) {
+  reading = &lmp;
+  std::atexit(explain_words_of_2025);
+  lmp.input->file();
+  reading = nullptr;
+}
+
 }  // namespace
 
 // LAMMPS's library calls this when it has made its lists of styles: at its start, and at each `clear` of a deck. The
@@ -54,9 +80,10 @@ int main(int argc, char** argv) {
   int code = 0;
   try {
     LAMMPS_NS::LAMMPS engine(argc, argv, MPI_COMM_WORLD);
-    engine.input->file();
+    read_deck(engine);
   } catch (const std::exception& error) {
     code = 1;
+    reading = nullptr;  // is gone
     if (std::string_view(typeid(error).name()).find("Abort") != std::string_view::npos) MPI_Abort(MPI_COMM_WORLD, code);
   }
   MPI_Finalize();

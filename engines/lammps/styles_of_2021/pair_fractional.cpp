@@ -76,6 +76,7 @@ void PairFractional::coeff(int narg, char** arg) {
 
 void PairFractional::init_style() {
   model_.check_deck();
+  if (force->pair != this) model_.refuse("pair_style hybrid is not known to it: must be the only pair style");
   for (int i = 1; i <= types_; ++i)
     for (int j = i; j <= types_; ++j)
       if (setflag[i][j] == 0) model_.refuse(fmt::format("pair_coeff {} {} is missing: laws are not mixed", i, j));

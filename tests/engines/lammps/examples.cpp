@@ -9,11 +9,11 @@
 
 namespace engines {
 
-std::string output_of(const std::string& example) {
+std::string output_of(const std::string& example, int code) {
   std::stringstream deck;
   deck << std::ifstream(RICOCHET_SOURCE_DIR "/examples/lammps/" + example).rdbuf();
   const Workplace place("example_" + example.substr(example.find('/') + 1));
-  REQUIRE(place.run(deck.str()) == 0);
+  REQUIRE(place.run(deck.str()) == code);
   return place.output();
 }
 

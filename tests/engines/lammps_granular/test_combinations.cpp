@@ -126,7 +126,7 @@ TEST_CASE("a run restarted in the middle of contacts keeps friction too") {
   auto whole = frames_of({"frictional_whole", pairs}, grains);
   const int cut = 30;
   whole.erase(whole.begin(), whole.begin() + cut);
-  for (const auto& [before, after] : {std::pair{1, 1}, {1, 2}, {2, 2}}) {
+  for (const auto& [before, after] : {std::pair{1, 1}, {1, 2}, {2, 1}, {2, 2}}) {
     const Run first{"frictional_restart", pairs, before}, second{"", pairs, after};
     Box types = box;
     types.types = 2;

@@ -14,3 +14,12 @@ TEST_CASE("the examples run and print what they promise") {
   CHECK(aside < 2.04 * at_rest);
   check_box_of_grains(output_of("debian13/box_of_grains.lammps"));
 }
+
+TEST_CASE("decks for the LAMMPS of Debian 12 are said to be") {
+  for (const char* name : {"two_grains", "box_of_grains", "five_spheres"}) {
+    INFO(name);
+    const std::string said = output_of(std::string("debian12/") + name + ".lammps", 1);
+    CHECK(said.find("is for the LAMMPS of Debian 12 (29 Sep 2021)") != std::string::npos);
+    CHECK(said.find("see examples/lammps/debian13") != std::string::npos);
+  }
+}

@@ -35,10 +35,23 @@ TEST_CASE("misuse of the styles is refused with the name and the value") {
   CHECK(contains(complaint("axis", good + fix + "plane 0 NULL " + target(tcol, en) + "\n"),
                  "plane: must be xplane, yplane or zplane"));
   CHECK(contains(complaint("wall", good + fix + "xplane 0 NULL 1 2\n"), "fix wall/fractional: must be xplane"));
+  const std::string law = " " + target(tcol, en) + "\n";
+  CHECK(contains(complaint("no_place", good + fix + "xplane NULL NULL" + law),
+                 "NULL NULL: at least one of LO and HI must be a place"));
+  CHECK(contains(complaint("crossed", good + fix + "xplane 0.01 -0.01" + law), "0.01 -0.01: must be LO < HI"));
+  CHECK(contains(complaint("no_room", good + fix + "xplane 0 0" + law), "0 0: must be LO < HI"));
+  CHECK(contains(complaint("periodic", good + fix + "yplane -0.01 NULL" + law, dt, "boundary f p f\n"),
+                 "yplane: the box must not be periodic in y"));
   CHECK(contains(complaint("newton", good, dt, "newton on\n"), "newton = on: must be newton off"));
   CHECK(contains(complaint("units", good, dt, "units real\n"), "units = real: must be si, cgs, lj, micro or nano"));
   CHECK(contains(complaint("velocities", "comm_modify vel no\n" + good), "needs comm_modify vel yes"));
   CHECK(contains(complaint("rigid", good + "fix clump all rigid single\n"), "rigid bodies are not known"));
+}
+
+TEST_CASE("the style stands alone") {
+  const std::string law = " fractional " + target(tcol, en) + "\n";
+  CHECK(contains(complaint("hybrid", "pair_style hybrid fractional\npair_coeff * *" + law),
+                 "pair_style hybrid is not known to it: must be the only pair style"));
 }
 
 TEST_CASE("laws of two types are not mixed") {
@@ -63,6 +76,29 @@ TEST_CASE("a step too coarse for the collisions is warned of, and refused") {
   CHECK_FALSE(contains(output("steps_20", 20.01), "WARNING: pair fractional"));
   CHECK(contains(output("steps_19", 19), "WARNING: pair fractional: timestep = 5.26316e-06 leaves 19 steps"));
   CHECK(contains(complaint("steps_3", with_law(target(tcol, en)), tcol / 3.99), "must be at most 1/4"));
+}
+
+TEST_CASE("before a run the lightest pairs and the lightest grain of a wall's group are looked at") {
+  // By k, c and alpha two grains of 3 mm take 1e-4 s, one of them on a wall half as long again.
+  const std::string law = with_law(parameters(5225, 0.297, 0.3197));
+  const auto of_run = [](const std::string& name, const std::string& styles, double step) {
+    const Workplace place(name);
+    const bool ran = place.run(with(place, styles, step) + run(0)) == 0;
+    return std::pair(ran, place.output());
+  };
+  const auto coarse = of_run("lightest_pair", law, tcol / 3.9);
+  CHECK_FALSE(coarse.first);
+  CHECK(contains(coarse.second, "pair fractional: timestep = 2.5641e-05: must be at most 1/4"));
+  CHECK(of_run("light_enough", law, tcol / 4.1).first);
+  // The wall's group has a grain that is twenty-seven times as heavy.
+  const std::string heavy = "set atom 2 diameter 0.009 density 1000\ngroup heavy id 2\n" + law;
+  const auto wall = [](const std::string& group) {
+    return "fix wall " + group + " wall/fractional xplane -0.01 NULL " + parameters(5225, 0.297, 0.3197) + "\n";
+  };
+  const double step = 1.5e-4 / 15;  // warned of by the light grain alone, on a wall as in a pair
+  const std::string warned = "WARNING: fix wall/fractional: timestep";
+  CHECK(contains(of_run("wall_of_all", heavy + wall("all"), step).second, warned));
+  CHECK_FALSE(contains(of_run("wall_of_heavy", heavy + wall("heavy"), step).second, warned));
 }
 
 TEST_CASE("a later run with another time step keeps the kernel and says so") {
