@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -31,9 +32,12 @@ void announce(const simulate::Scene& scene) {
 /// The page that --view names: it can be written before the run begins, and is whatever comes of the run.
 class View {
  public:
-  View(const std::string& scene_file, const std::string& path) {
+  View(const std::string& scene_file, const std::string& folder, const std::string& path) {
     if (path.empty()) return;
-    console::require_apart({{{"SCENE", scene_file}}}, {{{"--view", path}}});
+    std::vector<console::NamedFile> outputs;
+    for (const char* const name : simulate::run_files) outputs.push_back({"-o", fmt::format("{}/{}", folder, name)});
+    outputs.push_back({"--view", path});
+    console::require_apart({{{"SCENE", scene_file}}}, outputs);
     file_.emplace(path);
   }
   void write(const simulate::Scene& scene, const std::string& folder) {
@@ -98,7 +102,7 @@ int main(int argc, char** argv) {
   return console::run_program(app, argc, argv, [&] {
     simulate::Scene scene = simulate::read_scene(file, console::read_input(file));
     scene.options.threads = threads;
-    View view(file, page);
+    View view(file, folder, page);
     const Asked asked{folder, resume, format == "vtk" ? simulate::Format::vtk : simulate::Format::xyz};
     const int signal = run_and_show(scene, asked, view);
     if (signal == 0) return console::Exit::done;

@@ -357,18 +357,13 @@ console::Exit run_fit(const Options& options) {
   report.run = run_of_fits(options, report.fits, report.data);
   require_run(options, report);
   judge_idle_flags(options, report);
-  // Both are whole before either takes its place.
-  std::optional<console::OutputFolder> figures;
-  if (!options.figures.empty()) console::draw(figure_of(report.fits, report.data), figures.emplace(options.figures));
-  std::optional<console::AtomicFile> page;
-  if (!options.page.empty()) page.emplace(options.page).write(page_of(report));
-  console::Output output(options.output.file);
-  output.write(options.engine.empty() ? rendered(report, options.output.format)
-                                      : exported(*report.run, options.engine, options.output.format));
-  const console::SignalsHeld held;
-  if (figures) figures->commit();
-  if (page) page->commit();
-  output.commit();
+  console::Together files;
+  if (!options.figures.empty()) console::draw(figure_of(report.fits, report.data), files.folder(options.figures));
+  if (!options.page.empty()) files.file(options.page).write(page_of(report));
+  files.output(options.output.file)
+      .write(options.engine.empty() ? rendered(report, options.output.format)
+                                    : exported(*report.run, options.engine, options.output.format));
+  files.commit();
   return console::Exit::done;
 }
 

@@ -7,7 +7,6 @@
 
 #include <console/exit.hpp>
 #include <console/output.hpp>
-#include <console/signals.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -43,7 +42,6 @@ console::Exit draw_curve(const Options& options) {
   const CurveReport report = run_curve(options);
   console::Output output(options.output.file);
   output.write(render(report, options.output.format));
-  const console::SignalsHeld held;
   output.commit();
   require_results(report.reports);
   return console::Exit::done;
@@ -73,15 +71,12 @@ console::Exit work(Options& options) {
   if (job.tangential && !job.tangential->mu && !options.engine.empty())
     throw console::BadInput("--mu: missing: must be given, a coefficient of friction, with --export and --beta0");
   const Report report = run(job, options.settings);
-  // Both are whole before either takes its place.
-  std::optional<console::AtomicFile> page;
-  if (!options.page.empty()) page.emplace(options.page).write(page_of(report));
-  console::Output output(options.output.file);
-  output.write(options.engine.empty() ? render(report, options.output.format)
-                                      : exported(report, options.engine, options.output.format));
-  const console::SignalsHeld held;
-  if (page) page->commit();
-  output.commit();
+  console::Together files;
+  if (!options.page.empty()) files.file(options.page).write(page_of(report));
+  files.output(options.output.file)
+      .write(options.engine.empty() ? render(report, options.output.format)
+                                    : exported(report, options.engine, options.output.format));
+  files.commit();
   require_results({report});
   return console::Exit::done;
 }

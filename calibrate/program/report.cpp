@@ -2,6 +2,7 @@
 
 #include <calibrate/given_law.hpp>
 #include <calibrate/loaded.hpp>
+#include <console/bound.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -21,23 +22,12 @@ Outcome outcome_of(const Job& job, const Wanted& wanted, const Settings& setting
   return outcome;
 }
 
-/// The fewest digits, six or more, by which the end of a range is still reached and what was refused is not.
-std::string bound_text(double bound, double refused, bool upper, bool open) {
-  const auto tells = [&](double told) {
-    if (!(upper ? told <= bound : told >= bound)) return false;
-    const bool beyond = upper ? refused >= bound : refused <= bound;
-    return !beyond || (upper ? refused > told : refused < told) || (open && refused == told);
-  };
-  for (int digits = 6; digits < 17; ++digits)
-    if (std::string text = console::significant(bound, digits); tells(*console::parse_number(text))) return text;
-  return console::shortest(bound);
-}
-
 std::string range_of(const Infeasible& missed) {
   if (missed.lowest == missed.highest) return console::shortest(missed.lowest);
   return fmt::format("in {}{}, {}{}", missed.low_open ? "(" : "[",
-                     bound_text(missed.lowest, missed.asked, false, missed.low_open),
-                     bound_text(missed.highest, missed.asked, true, missed.open), missed.open ? ")" : "]");
+                     console::bound_text({missed.lowest, console::Bound::lower, missed.low_open}, missed.asked),
+                     console::bound_text({missed.highest, console::Bound::upper, missed.open}, missed.asked),
+                     missed.open ? ")" : "]");
 }
 
 /// The tangential law of a result that was found, or why there is none.

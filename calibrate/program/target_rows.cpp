@@ -5,6 +5,7 @@
 #include "report.hpp"
 
 #include <console/exit.hpp>
+#include <console/harmless.hpp>
 #include <console/number.hpp>
 #include <console/quantity.hpp>
 
@@ -42,11 +43,7 @@ void append_text(std::string& out, std::string_view text) {
 }
 
 /// A word of a file as it is, or nothing where a spreadsheet or a terminal would obey it.
-std::string_view harmless(std::string_view word) {
-  const auto obeyed = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
-  const bool formula = word.find_first_of("=+-@") == 0;
-  return formula || std::any_of(word.begin(), word.end(), obeyed) ? std::string_view() : word;
-}
+std::string_view harmless(std::string_view word) { return console::is_harmless(word) ? word : std::string_view(); }
 
 /// The defaults that go with a row's own scale: what else makes up the same one, and beside a collision time the k to
 /// hold.

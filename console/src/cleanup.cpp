@@ -27,12 +27,24 @@ constexpr std::array dying_signals{SIGQUIT, SIGVTALRM, SIGPROF, SIGPOLL, SIGPWR,
 // A signal handler may only reach what is static.
 struct Slot {
   std::atomic<bool> used{false};
-  bool folder = false;
+  Passing::Kind kind = Passing::Kind::file;
+  std::size_t levels = 1;
   std::array<char, PATH_MAX> path{};
 };
 std::array<Slot, 16> passing;
 std::atomic<pid_t> passing_child{0};
 volatile std::sig_atomic_t noted_signal = 0;
+
+/// Cuts the path.
+void remove_upwards(char* path, std::size_t levels) noexcept {
+  for (; levels > 0; --levels) {
+    ::rmdir(path);
+    char* end = std::strrchr(path, '/');
+    if (!end) return;
+    while (end > path && end[-1] == '/') --end;
+    *end = '\0';
+  }
+}
 
 void remove_what_passes() noexcept {
   // The child first: it could make files in a folder that is being emptied.
@@ -40,13 +52,14 @@ void remove_what_passes() noexcept {
     ::kill(-child, SIGKILL);
     ::waitpid(child, nullptr, 0);
   }
-  for (const Slot& slot : passing) {
-    if (!slot.used.load() || slot.path[0] == '\0') continue;
-    if (slot.folder)
-      remove_folder(slot.path.data());
-    else
-      ::unlink(slot.path.data());
-  }
+  const auto each = [](Passing::Kind kind, auto&& remove) {
+    for (Slot& slot : passing)
+      if (slot.used.load() && slot.path[0] != '\0' && slot.kind == kind) remove(slot);
+  };
+  each(Passing::Kind::file, [](Slot& slot) { ::unlink(slot.path.data()); });
+  each(Passing::Kind::folder, [](Slot& slot) { remove_folder(slot.path.data()); });
+  // Last those that the others may have been in.
+  each(Passing::Kind::empty_folders, [](Slot& slot) { remove_upwards(slot.path.data(), slot.levels); });
 }
 
 sigset_t deadly_set() noexcept {
@@ -115,13 +128,16 @@ void remove_folder(const char* path) noexcept {
   ::rmdir(path);
 }
 
-Passing::Passing(Kind kind, const std::string& path) {
+void remove_empty_folders(std::string path, std::size_t levels) noexcept { remove_upwards(path.data(), levels); }
+
+Passing::Passing(Kind kind, const std::string& path, std::size_t levels) {
   catch_deadly();
   for (std::size_t i = 0; i < passing.size() && path.size() < PATH_MAX; ++i) {
     bool expected = false;
     Slot& slot = passing[i];
     if (!slot.used.compare_exchange_strong(expected, true)) continue;
-    slot.folder = kind == Kind::folder;
+    slot.kind = kind;
+    slot.levels = levels;
     // The first letter comes last: a signal before it finds an empty name.
     std::memcpy(slot.path.data() + 1, path.data() + 1, path.size());
     std::atomic_signal_fence(std::memory_order_seq_cst);

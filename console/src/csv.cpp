@@ -2,6 +2,7 @@
 
 #include <console/csv.hpp>
 #include <console/exit.hpp>
+#include <console/harmless.hpp>
 #include <console/number.hpp>
 #include <console/quantity.hpp>
 
@@ -115,9 +116,7 @@ std::string_view take_line(std::string_view& text) {
 }
 
 std::string excerpt(std::string_view text) {
-  std::string line(text.substr(0, 60));
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  std::string line = without_controls(std::string(text.substr(0, 60)));
   return line.empty() ? "nothing" : line;
 }
 

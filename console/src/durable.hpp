@@ -1,14 +1,6 @@
 #pragma once
 
-#include <console/exit.hpp>
-
-#include <fmt/format.h>
-
 #include <unistd.h>
-
-#include <cerrno>
-#include <string>
-#include <system_error>
 
 namespace ricochet::console {
 
@@ -23,12 +15,5 @@ class Descriptor {
  private:
   int file_;
 };
-
-/// A disk without room, or a system without free descriptors, is no fault of the user's path.
-[[noreturn]] inline void throw_cannot_create(const std::string& path, int error) {
-  if (error == ENOSPC || error == EDQUOT || error == EIO || error == EMFILE || error == ENFILE || error == ENOMEM)
-    throw CannotWrite(path, error);
-  throw BadInput(fmt::format("{}: cannot write: {}", path, std::generic_category().message(error)));
-}
 
 }  // namespace ricochet::console

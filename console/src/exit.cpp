@@ -1,4 +1,5 @@
 #include <console/exit.hpp>
+#include <console/harmless.hpp>
 
 #include <fmt/format.h>
 
@@ -25,13 +26,15 @@ Exit exit_code(const std::exception& error) {
 void complain(std::string_view program, std::string_view message) {
   std::string line = fmt::format("{}: ", program);
   while (!message.empty() && message.back() == '\n') message.remove_suffix(1);
-  for (const char c : message)
-    if (c == '\n')
+  for (std::size_t control = 0; !message.empty(); message.remove_prefix(control > 0 ? control : 1)) {
+    control = control_length(message);
+    if (message.front() == '\n')
       line += "; ";
-    else if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')  // a terminal would obey it
-      line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    else if (control > 0)
+      for (const char c : message.substr(0, control)) line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
     else
-      line += c;
+      line += message.front();
+  }
   line += '\n';
   // One write, so that lines of concurrent processes do not mix; a closed stderr leaves nobody to tell.
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());

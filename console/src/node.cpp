@@ -3,6 +3,7 @@
 #include "place.hpp"
 
 #include <console/exit.hpp>
+#include <console/harmless.hpp>
 #include <console/progress.hpp>
 
 #include <fmt/format.h>
@@ -15,15 +16,6 @@
 #include <vector>
 
 namespace ricochet::console {
-
-namespace {
-
-/// Whether a terminal or the lines of a file would take part of it as a command.
-bool obeyed(std::string_view text) {
-  return std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
-}
-
-}  // namespace
 
 std::string Node::place() const {
   return fmt::format("{}:{}: {}", file_, line_and_column(*text_, place_of(*text_, path_)), path_.empty() ? "/" : path_);
@@ -53,7 +45,7 @@ void Node::allow(std::span<const std::string_view> keys) const {
 
 void Node::require_names() const {
   for (const auto& [key, value] : json_->items())
-    if (key.empty() || obeyed(key) || std::string_view("=+-@").find(key.front()) != std::string_view::npos)
+    if (key.empty() || !is_harmless(key))
       child(key, value).complain("must have a name of printable characters that begins with none of = + - @");
 }
 
@@ -96,7 +88,8 @@ bool Node::yes_or_no() const {
 }
 
 std::string Node::text() const {
-  if (!json_->is_string() || obeyed(json_->get_ref<const std::string&>())) reject("a text without control characters");
+  if (!json_->is_string() || has_controls(json_->get_ref<const std::string&>()))
+    reject("a text without control characters");
   return json_->get<std::string>();
 }
 

@@ -1,7 +1,9 @@
 #include "cleanup.hpp"
 #include "durable.hpp"
 #include "leftovers.hpp"
+#include "places.hpp"
 
+#include <console/exit.hpp>
 #include <console/output.hpp>
 #include <console/scratch.hpp>
 
@@ -29,11 +31,6 @@ std::string resolved(const std::string& path) {
   return real ? std::string(real.get()) : path;
 }
 
-std::string folder_of(const std::string& path) {
-  const auto slash = path.find_last_of('/');
-  return slash == std::string::npos ? "./" : path.substr(0, slash + 1);
-}
-
 /// What is at the end of a path that a file is to be written to.
 struct Target {
   bool exists, regular;
@@ -58,81 +55,88 @@ void sync(int file, const std::string& shown) {
   if (::fsync(file) != 0) throw CannotWrite(shown, errno);
 }
 
-/// A rename survives a crash once the folder is on disk; not every file system offers that.
-void sync_folder(const std::string& path) {
-  if (const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
-    const Descriptor closed_at_the_end(folder);
-    ::fsync(folder);
-  }
-}
-
 }  // namespace
 
-AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), target_(resolved(path_)) {
-  if (path_.empty()) throw BadInput("output = '': must be the name of a file");
-  const Target target = look_at(target_, path_);
+AtomicFile::AtomicFile(std::string path) {
+  if (path.empty()) throw BadInput("output = '': must be the name of a file");
+  waiting_.target = resolved(path);
+  waiting_.shown = std::move(path);
+  const Target target = look_at(waiting_.target, waiting_.shown);
   if (!target.exists || target.regular) {
     open_temporary(target.exists, target.mode);
   } else {
-    file_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file_ < 0) throw_cannot_create(path_, errno);
+    file_ = ::open(waiting_.target.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file_ < 0) throw_cannot_create(waiting_.shown, errno);
   }
 }
 
 void AtomicFile::open_temporary(bool exists, unsigned mode) {
-  const auto slash = target_.find_last_of('/');
-  const std::string name = slash == std::string::npos ? target_ : target_.substr(slash + 1);
-  remove_leftovers(folder_of(target_), hidden_scratch);
+  const std::string folder = folder_of(waiting_.target);
+  const auto slash = waiting_.target.find_last_of('/');
+  const std::string name = slash == std::string::npos ? waiting_.target : waiting_.target.substr(slash + 1);
+  remove_leftovers(folder, hidden_scratch);
   const SignalsHeld held;
-  for (int attempt = 0; file_ < 0; ++attempt) {
-    temporary_ = folder_of(target_) + temporary_name(name, attempt);
-    file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (file_ < 0 && (errno != EEXIST || attempt > 1000)) throw_cannot_create(path_, errno);
+  std::string temporary;
+  for (int attempt = 0; file_ < 0; attempt += 2) {
+    temporary = folder + temporary_name(name, attempt);
+    waiting_.kept = folder + temporary_name(name, attempt + 1);
+    file_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (file_ < 0 && (errno != EEXIST || attempt > 1000)) throw_cannot_create(waiting_.shown, errno);
   }
+  waiting_.staged = temporary;
   hold(file_);
-  passing_ = std::make_unique<Passing>(Passing::Kind::file, temporary_);
+  waiting_.passing = std::make_unique<Passing>(Passing::Kind::file, temporary);
   if (exists) ::fchmod(file_, mode);
 }
 
 AtomicFile::~AtomicFile() {
   if (file_ >= 0) ::close(file_);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (!waiting_.staged.empty()) ::unlink(waiting_.staged.c_str());
 }
 
-void AtomicFile::write(std::string_view bytes) { write_all(file_, bytes, path_); }
+void AtomicFile::write(std::string_view bytes) { write_all(file_, bytes, waiting_.shown); }
+
+Waiting* AtomicFile::finish() {
+  const bool device = waiting_.staged.empty();
+  if (!device) sync(file_, waiting_.shown);
+  if (::close(std::exchange(file_, -1)) != 0) throw CannotWrite(waiting_.shown, errno);
+  return device ? nullptr : &waiting_;
+}
 
 void AtomicFile::commit() {
-  const bool device = temporary_.empty();
-  if (!device) sync(file_, path_);
-  if (::close(std::exchange(file_, -1)) != 0) throw CannotWrite(path_, errno);
-  if (device) return;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) throw CannotWrite(path_, errno);
-  temporary_.clear();
-  passing_.reset();
-  sync_folder(folder_of(target_));
+  if (Waiting* const file = finish()) put_in_place({file});
 }
 
-OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
+MadeFolder::MadeFolder(std::string path) : path_(std::move(path)) {
   std::error_code error;
   for (std::filesystem::path at = path_; !at.empty() && !std::filesystem::exists(at, error); at = at.parent_path())
-    made_.push_back(at.string());
+    ++made_;
+  const SignalsHeld held;
   std::filesystem::create_directories(path_, error);
-  if (error) throw BadInput(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
-  staging_ = std::make_unique<ScratchFolder>(path_);
+  if (error) {
+    remove_empty_folders(path_, made_);
+    throw BadInput(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
+  }
+  const std::string whole = std::filesystem::absolute(path_).string();
+  passing_ = std::make_unique<Passing>(Passing::Kind::empty_folders, whole, made_);
 }
 
+MadeFolder::~MadeFolder() { remove_empty_folders(path_, made_); }
+
+OutputFolder::OutputFolder(std::string path)
+    : folder_(std::move(path)), staging_(std::make_unique<ScratchFolder>(folder_.path())) {}
+
 OutputFolder::~OutputFolder() {
-  for (const File& file : files_) ::unlink(file.staged.c_str());
-  staging_.reset();
-  for (const std::string& folder : made_) ::rmdir(folder.c_str());
+  for (const Waiting& file : files_) ::unlink(file.staged.c_str());
 }
 
 void OutputFolder::add(const std::string& name, std::string_view bytes) {
-  const std::string shown = path_ + "/" + name;
+  const std::string shown = folder_.path() + "/" + name;
   const std::string target = resolved(shown);
   const Target at_target = look_at(target, shown);
-  const auto known = std::find_if(files_.begin(), files_.end(), [&](const File& file) { return file.shown == shown; });
-  const File& staged = known != files_.end() ? *known : files_.emplace_back(stage(name, shown, target));
+  const auto known =
+      std::find_if(files_.begin(), files_.end(), [&](const Waiting& file) { return file.shown == shown; });
+  const Waiting& staged = known != files_.end() ? *known : files_.emplace_back(stage(name, shown, target));
   const int file = ::open(staged.staged.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) throw_cannot_create(shown, errno);
   const Descriptor closed_at_the_end(file);
@@ -142,43 +146,22 @@ void OutputFolder::add(const std::string& name, std::string_view bytes) {
 }
 
 /// Where a file waits: in a folder that is renamed from in one step. The end of a link may lie in another file system.
-OutputFolder::File OutputFolder::stage(const std::string& name, const std::string& shown, const std::string& target) {
-  if (folder_of(target) == resolved(path_) + "/" || folder_of(target) == folder_of(shown))
+Waiting OutputFolder::stage(const std::string& name, const std::string& shown, const std::string& target) {
+  if (folder_of(target) == resolved(folder_.path()) + "/" || folder_of(target) == folder_of(shown))
     return {shown, target, staging_->path() + "/" + name, staging_->path() + "/" + name + ".old", nullptr};
-  File file{shown, target, folder_of(target) + temporary_name(name, 0), folder_of(target) + temporary_name(name, 1),
-            nullptr};
+  const auto beside = [&](int attempt) { return folder_of(target) + temporary_name(name, attempt); };
+  int attempt = 0;  // another file of ours may have that name
+  while (::access(beside(attempt).c_str(), F_OK) == 0) attempt += 2;
+  Waiting file{shown, target, beside(attempt), beside(attempt + 1), nullptr};
   file.passing = std::make_unique<Passing>(Passing::Kind::file, file.staged);
   return file;
 }
 
 void OutputFolder::commit() {
-  const SignalsHeld held;
-  std::size_t done = 0;
-  for (; done < files_.size(); ++done)
-    if (const int error = files_[done].put(); error != 0) {
-      const std::string failed = files_[done].shown;
-      while (done-- > 0) files_[done].take_back();
-      throw CannotWrite(failed, error);
-    }
-  for (const File& file : files_) {
-    ::unlink(file.kept.c_str());
-    sync_folder(folder_of(file.target));
-  }
+  std::vector<Waiting*> files;
+  for (Waiting& file : files_) files.push_back(&file);
+  put_in_place(files);
   files_.clear();
-}
-
-/// Puts the file in its place and keeps what was there beside it; the system's error, 0 for none.
-int OutputFolder::File::put() const noexcept {
-  ::unlink(kept.c_str());
-  if (::link(target.c_str(), kept.c_str()) != 0 && errno != ENOENT) return errno;
-  if (::rename(staged.c_str(), target.c_str()) == 0) return 0;
-  const int error = errno;
-  ::unlink(kept.c_str());
-  return error;
-}
-
-void OutputFolder::File::take_back() const noexcept {
-  if (::rename(kept.c_str(), target.c_str()) != 0) ::unlink(target.c_str());  // there was nothing
 }
 
 namespace {
@@ -218,6 +201,29 @@ void Output::write(std::string_view bytes) { file_ ? file_->write(bytes) : write
 
 void Output::commit() {
   if (file_) file_->commit();
+}
+
+Together::Together() = default;
+Together::~Together() = default;
+
+OutputFolder& Together::folder(const std::string& path) {
+  return *folders_.emplace_back(std::make_unique<OutputFolder>(path));
+}
+
+AtomicFile& Together::file(const std::string& path) { return *files_.emplace_back(std::make_unique<AtomicFile>(path)); }
+
+Output& Together::output(const std::string& path) { return *outputs_.emplace_back(std::make_unique<Output>(path)); }
+
+void Together::commit() {
+  std::vector<Waiting*> all;
+  for (const auto& folder : folders_)
+    for (Waiting& file : folder->files_) all.push_back(&file);
+  const auto take = [&](AtomicFile* file) {
+    if (Waiting* const waiting = file ? file->finish() : nullptr) all.push_back(waiting);
+  };
+  for (const auto& file : files_) take(file.get());
+  for (const auto& output : outputs_) take(output->file_.get());
+  put_in_place(all);
 }
 
 void write_atomically(const std::string& path, std::string_view bytes) {

@@ -2,6 +2,7 @@
 #include "durable.hpp"
 #include "leftovers.hpp"
 
+#include <console/exit.hpp>
 #include <console/output.hpp>
 #include <console/scratch.hpp>
 

@@ -1,3 +1,4 @@
+#include <console/harmless.hpp>
 #include <console/number.hpp>
 #include <console/table.hpp>
 
@@ -199,21 +200,23 @@ std::size_t display_width(std::string_view utf8) {
 }
 
 Table::Table(std::vector<Column> columns, std::string caption)
-    : columns_(std::move(columns)), caption_(std::move(caption)) {}
+    : columns_(std::move(columns)), caption_(without_controls(std::move(caption), true)) {}
 
 Table& Table::row(std::vector<Cell> cells) {
   if (cells.size() != columns_.size())
     throw std::logic_error(
         fmt::format("table '{}': a row of {} cells for {} columns", caption_, cells.size(), columns_.size()));
-  for (std::size_t i = 0; i < cells.size(); ++i)
+  for (std::size_t i = 0; i < cells.size(); ++i) {
     if (const double* value = std::get_if<double>(&cells[i]); value && !std::isfinite(*value))
       throw std::logic_error(fmt::format("table '{}': {} is not a finite number", caption_, columns_[i].name));
+    if (std::string* text = std::get_if<std::string>(&cells[i])) *text = without_controls(std::move(*text), true);
+  }
   rows_.push_back(std::move(cells));
   return *this;
 }
 
 Table& Table::note(std::string text) {
-  notes_.push_back(std::move(text));
+  notes_.push_back(without_controls(std::move(text), true));
   return *this;
 }
 

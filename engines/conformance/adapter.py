@@ -6,43 +6,133 @@ other cases go on.
 """
 
 import argparse
+import contextlib
 import csv
 import datetime
+import errno
+import functools
 import io
+import math
 import os
+import re
+import secrets
 import shutil
+import signal
+import stat
 import subprocess
 import sys
 import tempfile
 from typing import Callable, Dict, List, NamedTuple, Optional, Sequence
 
-from case import BadCase, Case, NotRun, read_cases
+from case import MOST_STEPS, BadCase, Case, NotRun, read_cases
 from outcome import EngineFailed, Run
 
 COLUMNS = "case,steps,body,x,y,z,vx,vy,vz,wx,wy,wz,contact_time,max_overlap,note".split(",")
 TIME_LIMIT = 600  # [s] of one call of an engine; a case takes a second, or ten where others keep the machine busy
 
 
-class NoEngine(Exception):
-    """The engine is not there at all."""
+class Failed(Exception):
+    """The engine is not there at all, or the results cannot be written: one line."""
+
+
+# --- Signals ---------------------------------------------------------------------------------------------------------
+class Stopped(BaseException):
+    """By a signal: on the way out engines are ended and folders removed. Only the first one counts."""
+
+    def __init__(self, number: int):
+        self.number = number
+
+
+class Stops:
+    """Signals that end a program, as exceptions."""
+
+    def __init__(self):
+        self.numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+        self.came, self.held = None, False
+
+    def begin(self) -> None:
+        self.before = {number: signal.getsignal(number) for number in self.numbers}
+        for number, handler in self.before.items():
+            if handler is not signal.SIG_IGN:  # as nohup asks
+                signal.signal(number, self.take)
+
+    def take(self, number: int, _) -> None:
+        self.ignore()
+        self.came = number
+        if not self.held:
+            raise Stopped(number)
+
+    def ignore(self) -> None:
+        for number in self.numbers:
+            signal.signal(number, signal.SIG_IGN)
+
+    def end(self) -> None:
+        self.came = None
+        for number, handler in self.before.items():
+            signal.signal(number, handler)
+
+    @contextlib.contextmanager
+    def hold(self):
+        """What comes meanwhile counts at the end."""
+        self.held = True
+        try:
+            yield
+        finally:
+            self.held = False
+        if self.came:
+            raise Stopped(self.came)
+
+
+stops = Stops()
+
+
+@contextlib.contextmanager
+def scratch():
+    """All that is temporary, the engines' own too, is in one folder, and nothing of it stays, however this ends."""
+    folder = os.path.join(tempfile.gettempdir(), f"conformance-{secrets.token_hex(8)}")
+    before, tempfile.tempdir = tempfile.tempdir, folder
+    stops.begin()
+    try:
+        try:
+            os.mkdir(folder, 0o700)
+            yield
+        finally:
+            stops.ignore()
+    finally:  # also after a signal on the way to the line before
+        tempfile.tempdir = before
+        shutil.rmtree(folder, ignore_errors=True)
+        stops.end()
 
 
 # --- The engine ------------------------------------------------------------------------------------------------------
 def run_engine(arguments: Sequence[str], folder: str, typed: str = "", **environment: str) -> str:
     """Runs the engine in the folder, types to it and gives what it said; EngineFailed with its last words."""
-    quiet = {"OMPI_MCA_ess_singleton_isolated": "1", "OMP_NUM_THREADS": "1", **environment}
+    quiet = {"OMPI_MCA_ess_singleton_isolated": "1", "OMP_NUM_THREADS": "1", "TMPDIR": tempfile.gettempdir()}
+    process = None
     try:
-        ran = subprocess.run(arguments, cwd=folder, env={**os.environ, **quiet}, input=typed.encode(),
-                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=TIME_LIMIT)
+        with stops.hold():  # else one that is about to start would be left to itself
+            process = subprocess.Popen(arguments, cwd=folder, env={**os.environ, **quiet, **environment},
+                                       stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                       start_new_session=True)
+        said = process.communicate(typed.encode(), TIME_LIMIT)[0].decode("utf-8", "replace")
     except subprocess.TimeoutExpired as late:
         raise EngineFailed(f"did not end within {TIME_LIMIT} s") from late
     except OSError as error:
         raise EngineFailed(f"{arguments[0]}: {error.strerror}") from error
-    said = ran.stdout.decode("utf-8", "replace")
-    if ran.returncode != 0:
+    finally:
+        if process and process.poll() is None:
+            end(process)
+    if process.returncode != 0:
         words = last_words(said).replace(os.path.join(folder, ""), "")
-        raise EngineFailed(words or f"ended with code {ran.returncode}")
+        raise EngineFailed(words or f"ended with code {process.returncode}")
     return said
+
+
+def end(process: subprocess.Popen) -> None:
+    """With all that it started."""
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(process.pid, signal.SIGKILL) if hasattr(os, "killpg") else process.kill()
+    process.wait()
 
 
 def last_words(said: str) -> str:
@@ -52,10 +142,23 @@ def last_words(said: str) -> str:
     return (errors or lines or [""])[-1]
 
 
+def version_by(pattern: str, *arguments: str, typed: str = "") -> Callable[[str], str]:
+    """Engine.version: what the pattern's group finds in what the program says to these arguments."""
+
+    @functools.lru_cache(maxsize=None)
+    def version(program: str) -> str:
+        found = re.search(pattern, run_engine([program, *arguments], tempfile.gettempdir(), typed))
+        if not found:
+            raise EngineFailed(f"{' '.join([program, *arguments])}: does not say which version it is")
+        return found[1]
+
+    return version
+
+
 # --- Results ---------------------------------------------------------------------------------------------------------
 def rows_of(case: Case, runs: Sequence[Run]) -> List[List[str]]:
     def text(number: Optional[float]) -> str:
-        return "" if number is None else repr(float(number))
+        return "" if number is None or not math.isfinite(number) else repr(float(number))
 
     return [[case.name, str(run.steps), str(i + 1), *(text(x) for part in body for x in part),
              text(run.contact_time), text(run.max_overlap), run.note]
@@ -64,34 +167,58 @@ def rows_of(case: Case, runs: Sequence[Run]) -> List[List[str]]:
 
 def note_of(case: Case, why: Exception) -> List[List[str]]:
     failed = "failed: " if isinstance(why, EngineFailed) else ""
-    return [[case.name] + [""] * (len(COLUMNS) - 2) + [failed + " ".join(str(why).split())]]
+    return [[case.name] + [""] * (len(COLUMNS) - 2) + [failed + one_line(str(why))]]
 
 
-def write_results(path: str, about: Dict[str, str], rows: Sequence[Sequence[str]]) -> None:
-    """The whole file or none; "-" is standard output."""
+def one_line(text: str) -> str:
+    """Without what a terminal would obey."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in " ".join(text.split()))
+
+
+def results_text(about: Dict[str, str], rows: Sequence[Sequence[str]]) -> str:
     text = io.StringIO()
     for key, value in about.items():
         text.write(f"# {key}: {value}\n")
     csv.writer(text, lineterminator="\n").writerows([COLUMNS, *rows])
-    if path == "-":
-        sys.stdout.write(text.getvalue())
-        return
-    folder = os.path.dirname(os.path.abspath(path))
-    handle, temporary = tempfile.mkstemp(dir=folder, prefix=".results-")
+    return text.getvalue()
+
+
+def write(path: str, text: str) -> None:
+    """The whole file or none; "-" is standard output. UTF-8, whatever the locale is."""
+    data = text.encode("utf-8", "backslashreplace")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8") as out:
-            out.write(text.getvalue())
-        os.chmod(temporary, 0o666 & ~current_umask())
+        if path == "-":
+            write_all(1, data)
+        elif os.path.exists(path) and not os.path.isfile(path):  # a device, a pipe
+            with open(path, "wb") as out:
+                out.write(data)
+        else:
+            replace(os.path.realpath(path), data)
+    except OSError as error:
+        raise Failed(f"{'standard output' if path == '-' else path}: cannot write: {error.strerror}") from error
+
+
+def write_all(file: int, data: bytes) -> None:
+    while data:
+        data = data[os.write(file, data):]
+
+
+def replace(path: str, data: bytes) -> None:
+    """A file keeps its rights, and is not replaced where it may not be written."""
+    if os.path.exists(path) and not os.access(path, os.W_OK):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    temporary = os.path.join(os.path.dirname(path), f".results-{secrets.token_hex(8)}")
+    try:
+        with open(temporary, "xb") as out:
+            out.write(data)
+            out.flush()
+            os.fsync(out.fileno())
+        if os.path.exists(path):
+            os.chmod(temporary, stat.S_IMODE(os.stat(path).st_mode))
         os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
-
-
-def current_umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+    finally:
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(temporary)
 
 
 # --- The command line of every adapter -------------------------------------------------------------------------------
@@ -111,7 +238,7 @@ def one_by_one(run_case: Callable) -> Callable:
     def run(program: str, cases: Sequence[Case]):
         for case in cases:
             try:
-                with tempfile.TemporaryDirectory(prefix="conformance-") as folder:
+                with tempfile.TemporaryDirectory(prefix="case-") as folder:
                     runs = run_case(program, case, folder)
                 yield case, runs
             except (NotRun, EngineFailed) as why:
@@ -120,19 +247,30 @@ def one_by_one(run_case: Callable) -> Callable:
     return run
 
 
+class Options(argparse.ArgumentParser):
+    """Says what is wrong in one line, without the usage before it."""
+
+    def error(self, message: str):
+        raise BadCase(message)
+
+    def print_help(self, file=None):
+        write("-", self.format_help())
+
+
 def options_of(engine: Engine, arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     def steps(text: str) -> List[int]:
-        numbers = [int(n) for n in text.split(",")]
-        if min(numbers) < 1 or len(set(numbers)) < len(numbers):
-            raise ValueError
+        words = text.split(",")
+        numbers = [int(word) if re.fullmatch("[0-9]{1,9}", word) else 0 for word in words]
+        if not all(1 <= n <= MOST_STEPS for n in numbers) or len(set(numbers)) < len(numbers):
+            raise argparse.ArgumentTypeError(f"{text}: must be whole numbers from 1 to {MOST_STEPS} that differ")
         return numbers
 
-    parser = argparse.ArgumentParser(description=f"Runs cases of the conformance kit in {engine.name}.")
+    parser = Options(description=f"Runs cases of the conformance kit in {engine.name}.", allow_abbrev=False)
     parser.add_argument("cases", metavar="CASES_DIR", help="folder that verify conformance --cases wrote")
     parser.add_argument("-o", dest="results", metavar="RESULTS.csv", required=True, help="- is standard output")
     parser.add_argument("--program", default=engine.program, help="the engine's program (default: %(default)s)")
     parser.add_argument("--only", nargs="+", default=[], metavar="CASE", help="these cases alone")
-    parser.add_argument("--steps", type=steps, metavar="N,N,…", help="in the time scale, in place of each case's own")
+    parser.add_argument("--steps", type=steps, metavar="N,N,...", help="in the time scale, in place of each case's own")
     return parser.parse_args(arguments)
 
 
@@ -141,8 +279,8 @@ def collect(engine: Engine, program: str, cases: Sequence[Case]) -> List[List[st
     rows = {}
     for case, outcome in engine.run(program, cases):
         rows[case.name] = note_of(case, outcome) if isinstance(outcome, Exception) else rows_of(case, outcome)
-        if sys.stderr.isatty():
-            print(f"{case.name}: {outcome if isinstance(outcome, Exception) else 'ran'}", file=sys.stderr)
+        if sys.stderr and sys.stderr.isatty():
+            say(f"{case.name}: {outcome if isinstance(outcome, Exception) else 'ran'}")
     return [row for case in cases for row in rows[case.name]]
 
 
@@ -151,38 +289,49 @@ def check_results(results: str, cases: str) -> None:
     if results == "-":
         return
     folder = os.path.dirname(os.path.realpath(results))
+    if not results or os.path.isdir(results):
+        raise BadCase(f"-o {results}: must be a file")
     if not os.path.isdir(folder):
         raise BadCase(f"-o {results}: there is no such folder")
-    if os.path.isdir(results):
-        raise BadCase(f"-o {results}: must be a file")
-    if folder == os.path.realpath(cases) and results.endswith(".json"):
+    if folder == os.path.realpath(cases) and os.path.realpath(results).endswith(".json"):
         raise BadCase(f"-o {results}: must not be one of the cases")
 
 
-def main(engine: Engine, arguments: Optional[Sequence[str]] = None) -> int:
-    """Exit codes: 0 done, 2 bad input, 4 the engine is not there or the results could not be written, 130 by Ctrl-C."""
+def adapt(engine: Engine, arguments: Optional[Sequence[str]]) -> None:
     options = options_of(engine, arguments)
+    check_results(options.results, options.cases)
+    cases = read_cases(options.cases, options.only)
+    if options.steps:
+        cases = [case._replace(steps=options.steps) for case in cases]
+    program = shutil.which(options.program)
+    if not program:
+        raise Failed(f"--program {options.program}: there is no such program")
+    program = os.path.abspath(program)
+    about = {"engine": engine.name, "version": engine.version(program),
+             "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
+             "by": f"engines/conformance/{os.path.basename(sys.argv[0])}"}
+    write(options.results, results_text(about, collect(engine, program, cases)))
+
+
+def say(message: str) -> None:
+    if sys.stderr:
+        print(one_line(message), file=sys.stderr)
+
+
+def main(engine: Engine, arguments: Optional[Sequence[str]] = None) -> int:
+    """Exit codes: 0 done, 2 bad input, 4 the engine is not there or the results could not be written, 128 + n stopped
+    by the signal n."""
     try:
-        check_results(options.results, options.cases)
-        cases = read_cases(options.cases, options.only)
-        if options.steps:
-            cases = [case._replace(steps=options.steps) for case in cases]
-        program = shutil.which(options.program)
-        if not program:
-            raise NoEngine(f"--program {options.program}: there is no such program")
-        about = {"engine": engine.name, "version": engine.version(os.path.abspath(program)),
-                 "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
-                 "by": f"engines/conformance/{os.path.basename(sys.argv[0])}"}
-        write_results(options.results, about, collect(engine, os.path.abspath(program), cases))
+        with scratch():
+            adapt(engine, arguments)
+        return 0
     except BadCase as error:
-        print(error, file=sys.stderr)
-        return 2
-    except (NoEngine, EngineFailed) as error:
-        print(f"{engine.name}: {error}", file=sys.stderr)
-        return 4
+        code, why = 2, str(error)
+    except (Failed, EngineFailed) as error:
+        code, why = 4, str(error)
     except OSError as error:
-        print(f"{options.results}: {error.strerror}", file=sys.stderr)
-        return 4
-    except KeyboardInterrupt:
-        return 130
-    return 0
+        code, why = 4, f"{error.filename or tempfile.gettempdir()}: {error.strerror}"
+    except Stopped as stopped:
+        return 128 + stopped.number
+    say(f"{os.path.basename(sys.argv[0])}: error: {why}")
+    return code

@@ -9,33 +9,20 @@ Written for 29 Sep 2021 and 4 Feb 2025; docs/engines.md says what each of its wo
 fractional laws: in 2021 one as a pair style and a wall of its own, in 2025 all as normal models of pair granular.
 """
 
-import functools
 import math
-import os
-import re
 import sys
-import tempfile
 from typing import Optional
 
-from adapter import Engine, main, one_by_one, run_engine
-from case import (Body, Case, Law, NotRun, axis_of, effective_mass, effective_radius, parameters_of,
-                  require_solid_spheres)
-from outcome import EngineFailed, Instant, Path, State, run_of_path
+from adapter import Engine, main, one_by_one
+from case import (Body, Case, Law, NotRun, axis_of, effective_mass, effective_radius, parameters_of, restitution_of)
+from lammps_family import grains, is_ours, run_decks, run_of, version_of_either
 
 MONTHS = "Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec".split()
+said_version = version_of_either(r"Simulator - (\d+ \w+ \d{4}(?: - Update \d+)?)", "-h")
 
 
-@functools.lru_cache(maxsize=None)
 def version(program: str) -> str:
-    said = run_engine([program, "-h"], tempfile.gettempdir())
-    found = re.search(r"Simulator - (\d+ \w+ \d{4}(?: - Update \d+)?)", said)
-    if not found:
-        raise EngineFailed("-h does not say which version it is")
-    return found[1].replace(" - ", " ") + (" with lammps-ricochet" if is_ours(program) else "")
-
-
-def is_ours(program: str) -> bool:
-    return os.path.basename(program) == "lammps-ricochet"
+    return said_version(program).replace(" - ", " ")
 
 
 def date_of(program: str) -> int:
@@ -68,9 +55,10 @@ def tsuji_damping(eta: float, date: int) -> str:
     beta = eta / math.sqrt(5)
     if date < 20240627:
         return f"{tsuji_argument(eta)!r} damping tsuji"
-    if beta >= 1:
+    en = restitution_of(beta)
+    if not en:
         raise NotRun("damping coeff_restitution: an overdamped law has no restitution")
-    return f"{math.exp(-math.pi * beta / math.sqrt(1 - beta**2))!r} damping coeff_restitution"
+    return f"{en!r} damping coeff_restitution"
 
 
 def is_fractional(law: Optional[Law]) -> bool:
@@ -153,7 +141,8 @@ def walls(case: Case, date: int) -> str:
         axis, sign = axis_of(wall)
         place = f"{wall.point[axis]!r} NULL" if sign > 0 else f"NULL {wall.point[axis]!r}"
         if date < 20230000 and is_fractional(case.wall_law):
-            text += (f"fix wall{k + 1} all wall/fractional {'xyz'[axis]}plane {place} {of_its_own(case, case.wall_law)} "
+            words = of_its_own(case, case.wall_law)
+            text += (f"fix wall{k + 1} all wall/fractional {'xyz'[axis]}plane {place} {words} "
                      f"memory {4 * case.time_scale!r}\n")
             continue
         for i, body in enumerate(case.bodies):
@@ -162,20 +151,12 @@ def walls(case: Case, date: int) -> str:
     return text
 
 
-def grains(case: Case, n: int) -> str:
-    text = ""
-    for i, b in enumerate(case.start(n), 1):
-        x, v, w = b.position, b.velocity, b.spin
-        text += (f"create_atoms {i} single {x[0]!r} {x[1]!r} {x[2]!r}\n"
-                 f"set atom {i} diameter {2 * b.radius!r}\nset atom {i} mass {b.mass!r}\n"
-                 f"set atom {i} vx {v[0]!r} vy {v[1]!r} vz {v[2]!r}\nset atom {i} omega {w[0]!r} {w[1]!r} {w[2]!r}\n")
-    return text
-
-
-def gravity(case: Case) -> str:
-    g = case.gravity
-    size = math.sqrt(sum(x * x for x in g))
-    return f"fix gravity all gravity {size!r} vector {g[0]!r} {g[1]!r} {g[2]!r}\n" if size > 0 else ""
+GRAIN = """create_atoms {i} single {x[0]!r} {x[1]!r} {x[2]!r}
+set atom {i} diameter {diameter!r}
+set atom {i} mass {body.mass!r}
+set atom {i} vx {v[0]!r} vy {v[1]!r} vz {v[2]!r}
+set atom {i} omega {w[0]!r} {w[1]!r} {w[2]!r}
+"""
 
 
 def deck(case: Case, n: int, date: int) -> str:
@@ -188,15 +169,9 @@ comm_modify vel yes
 boundary f f f
 region box block {-half!r} {half!r} {-half!r} {half!r} {-half!r} {half!r}
 create_box {len(case.bodies)} box
-{grains(case, n)}{pairs(case, date)}{walls(case, date)}neighbor {min(b.radius for b in case.bodies)!r} bin
+{grains(case, n, GRAIN)}{pairs(case, date)}{walls(case, date)}neighbor {min(b.radius for b in case.bodies)!r} bin
 neigh_modify delay 0 every 1 check yes
-timestep {case.step(n)!r}
-fix integrate all nve/sphere
-{gravity(case)}thermo 100000000
-dump path all custom {case.every(n)} path.{n} x y z vx vy vz omegax omegay omegaz fx fy fz
-dump_modify path sort id format line "{' '.join(['%.17g'] * 12)}"
-run {case.count(n)}
-"""
+{run_of(case, n, "format line")}"""
 
 
 def require_laws(program: str, case: Case) -> None:
@@ -208,25 +183,8 @@ def require_laws(program: str, case: Case) -> None:
 
 
 def run_case(program: str, case: Case, folder: str):
-    require_solid_spheres(case)
     require_laws(program, case)
-    with open(os.path.join(folder, "deck"), "w", encoding="utf-8") as out:
-        out.write("clear\n".join(deck(case, n, date_of(program)) for n in case.steps))
-    run_engine([program, "-in", "deck", "-log", "none"], folder)
-    return [run_of_path(case, n, read_dump(os.path.join(folder, f"path.{n}"), len(case.bodies))) for n in case.steps]
-
-
-def read_dump(name: str, bodies: int) -> Path:
-    """A header a step that ends in ITEM: ATOMS, then a line a body. LIGGGHTS writes the same."""
-    with open(name, encoding="utf-8") as file:
-        lines = file.read().splitlines()
-    path = []
-    for i in (i for i, line in enumerate(lines) if line.startswith("ITEM: ATOMS")):
-        rows = [tuple(map(float, line.split())) for line in lines[i + 1:i + 1 + bodies]]
-        if len(rows) != bodies or lines[i + 1 + bodies:i + 2 + bodies] not in ([], ["ITEM: TIMESTEP"]):
-            raise EngineFailed("a body was lost on its way")
-        path.append(Instant([State(r[0:3], r[3:6], r[6:9]) for r in rows], rows[0][9:12]))
-    return path
+    return run_decks(program, case, folder, lambda n: deck(case, n, date_of(program)))
 
 
 if __name__ == "__main__":

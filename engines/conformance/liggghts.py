@@ -8,34 +8,16 @@
 Written for 3.8.0; docs/engines.md says what each of its words means, docs/liggghts.md those of liggghts-ricochet.
 """
 
-import functools
 import math
-import os
-import re
 import sys
-import tempfile
 from typing import Dict, List, NamedTuple, Optional, Tuple
 
-from adapter import Engine, main, one_by_one, run_engine
-from case import (Body, Case, Law, NotRun, Tangential, axis_of, effective_mass, effective_radius, length,
-                  parameters_of, poisson_of, require_solid_spheres)
-from lammps import gravity, read_dump
-from outcome import EngineFailed, run_of_path
+from adapter import Engine, main, one_by_one
+from case import (POISSON, Body, Case, Law, NotRun, Tangential, axis_of, effective_mass, effective_radius, length,
+                  parameters_of, poisson_of, restitution_of)
+from lammps_family import grains, is_ours, run_decks, run_of, version_of_either
 
-POISSON = 0.3  # where no shear stiffness asks for another
-
-
-@functools.lru_cache(maxsize=None)
-def version(program: str) -> str:
-    said = run_engine([program, "-log", "none"], tempfile.gettempdir(), typed="print ready\n")
-    found = re.search(r"Version LIGGGHTS-PUBLIC ([0-9.]+)", said)
-    if not found:
-        raise EngineFailed("it does not say which version it is")
-    return found[1] + (" with liggghts-ricochet" if is_ours(program) else "")
-
-
-def is_ours(program: str) -> bool:
-    return os.path.basename(program) == "liggghts-ricochet"
+version = version_of_either(r"Version LIGGGHTS-PUBLIC ([0-9.]+)", "-log", "none", typed="print ready\n")
 
 
 # --- Laws ------------------------------------------------------------------------------------------------------------
@@ -75,8 +57,7 @@ def hertz_stiffness(case: Case, k: float, c: float, mass: float, root: float) ->
 
 def hertz(case: Case, k: float, c: float, mass: float, root: float) -> Model:
     """Knows moduli and a restitution, that of a force which may attract."""
-    beta = c / math.sqrt(5 * mass * k)
-    en = math.exp(-math.pi * beta / math.sqrt(1 - beta**2)) if beta < 1 else 0
+    en = restitution_of(c / math.sqrt(5 * mass * k)) or 0
     if not en > 0.05:
         raise NotRun(f"model hertz refuses a coefficientRestitution of 0.05 or less, this law needs {en:.6g}")
     k_t = without_dashpot(case)
@@ -215,7 +196,7 @@ class Contacts:
         if not beside:
             return [grain] * self.types
         both = next(iter(beside))
-        if both >= 2 * grain:
+        if both >= 2 * (1 - 1e-9) * grain:
             raise NotRun("model hertz: no wall is so stiff beside these grains")
         return [grain] * (self.types - 1) + [1 / (2 / both - 1 / grain)]
 
@@ -237,15 +218,11 @@ def speed(case: Case) -> float:
     return max(length(b.velocity) for b in case.bodies) or 1.0
 
 
-def grains(case: Case, n: int) -> str:
-    text = ""
-    for i, b in enumerate(case.start(n), 1):
-        x, v, w = b.position, b.velocity, b.spin
-        text += (f"create_atoms {i} single {x[0]!r} {x[1]!r} {x[2]!r} units box\n"
-                 f"set atom {i} diameter {2 * b.radius!r} density {b.density!r}\n"
-                 f"set atom {i} vx {v[0]!r} vy {v[1]!r} vz {v[2]!r}\n"
-                 f"set atom {i} omegax {w[0]!r} omegay {w[1]!r} omegaz {w[2]!r}\n")
-    return text
+GRAIN = """create_atoms {i} single {x[0]!r} {x[1]!r} {x[2]!r} units box
+set atom {i} diameter {diameter!r} density {body.density!r}
+set atom {i} vx {v[0]!r} vy {v[1]!r} vz {v[2]!r}
+set atom {i} omegax {w[0]!r} omegay {w[1]!r} omegaz {w[2]!r}
+"""
 
 
 def deck(contacts: Contacts, n: int) -> str:
@@ -261,22 +238,12 @@ region box block {-half!r} {half!r} {-half!r} {half!r} {-half!r} {half!r} units 
 create_box {contacts.types} box
 neighbor {min(b.radius for b in case.bodies)!r} bin
 neigh_modify delay 0
-{contacts.commands()}{grains(case, n)}timestep {case.step(n)!r}
-fix integrate all nve/sphere
-{gravity(case)}thermo 100000000
-dump path all custom {case.every(n)} path.{n} x y z vx vy vz omegax omegay omegaz fx fy fz
-dump_modify path sort id format "{' '.join(['%.17g'] * 12)}"
-run {case.count(n)}
-"""
+{contacts.commands()}{grains(case, n, GRAIN)}{run_of(case, n, "format")}"""
 
 
 def run_case(program: str, case: Case, folder: str):
-    require_solid_spheres(case)
     contacts = Contacts(program, case)
-    with open(os.path.join(folder, "deck"), "w", encoding="utf-8") as out:
-        out.write("clear\n".join(deck(contacts, n) for n in case.steps))
-    run_engine([program, "-in", "deck", "-log", "none"], folder)
-    return [run_of_path(case, n, read_dump(os.path.join(folder, f"path.{n}"), len(case.bodies))) for n in case.steps]
+    return run_decks(program, case, folder, lambda n: deck(contacts, n))
 
 
 if __name__ == "__main__":

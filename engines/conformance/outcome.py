@@ -2,7 +2,8 @@
 """What is measured of a run: where the bodies are at its end, and body 1's first contact."""
 
 import math
-from typing import List, NamedTuple, Optional, Tuple
+import os
+from typing import List, NamedTuple, Optional, Sequence, Tuple
 
 from case import Case, Vector, dot, length, plus
 
@@ -27,6 +28,28 @@ class Instant(NamedTuple):
 Path = List[Instant]  # one instant a step, the first one at the start
 
 
+# --- What an engine wrote --------------------------------------------------------------------------------------------
+def lines_of(path: str) -> List[str]:
+    try:
+        with open(path, encoding="utf-8", errors="replace") as file:
+            return file.read().splitlines()
+    except OSError as error:
+        raise EngineFailed(f"{os.path.basename(path)}: {error.strerror}") from error
+
+
+def numbers_of(words: Sequence[str], count: int) -> Tuple[float, ...]:
+    try:
+        numbers = tuple(map(float, words))
+    except ValueError as error:
+        raise EngineFailed(f"wrote a line that is not of numbers: {' '.join(words)[:60]}") from error
+    if len(numbers) < count:
+        raise EngineFailed(f"wrote {len(numbers)} numbers in a line, not {count}")
+    return numbers
+
+
+# --- What is measured ------------------------------------------------------------------------------------------------
+
+
 def overlaps(case: Case, instant: Instant) -> List[Tuple[float, Vector]]:
     """Of body 1 with every other body, then every wall: how deep [m], and the direction away from it."""
     place, radius = instant.bodies[0].position, case.bodies[0].radius
@@ -34,7 +57,7 @@ def overlaps(case: Case, instant: Instant) -> List[Tuple[float, Vector]]:
     for other, state in zip(case.bodies[1:], instant.bodies[1:]):
         apart = plus(place, state.position, -1)
         distance = length(apart)
-        found.append((radius + other.radius - distance, plus((0, 0, 0), apart, 1 / distance)))
+        found.append((radius + other.radius - distance, plus((0, 0, 0), apart, 1 / (distance or 1))))
     return found + [(radius - dot(plus(place, wall.point, -1), wall.normal), wall.normal) for wall in case.walls]
 
 

@@ -9,26 +9,16 @@ so the contact time is its own.
 """
 
 import csv
-import functools
 import json
 import os
-import re
 import sys
-import tempfile
 from typing import Optional
 
-from adapter import Engine, main, one_by_one, run_engine
+from adapter import Engine, main, one_by_one, run_engine, version_by
 from case import Case, Law, NotRun, Tangential
-from outcome import EngineFailed, Instant, Path, Run, State, run_of_path
+from outcome import EngineFailed, Instant, Path, Run, State, lines_of, numbers_of, run_of_path
 
-
-@functools.lru_cache(maxsize=None)
-def version(program: str) -> str:
-    said = run_engine([program, "--version"], tempfile.gettempdir())
-    found = re.search(r"\d+\.\d+\.\d+\S*", said)
-    if not found:
-        raise EngineFailed("--version does not say which version it is")
-    return found[0]
+version = version_by(r"(\d+\.\d+\.\d+\S*)", "--version")
 
 
 def interaction(case: Case, law: Law, other: str) -> dict:
@@ -69,19 +59,16 @@ def scene(case: Case, n: int) -> dict:
 
 def read_trajectory(name: str, bodies: int) -> Path:
     """Frames of a count, a line about the box, and a line a body: species, place, radius, mass, velocity, spin, id."""
-    with open(name, encoding="utf-8") as file:
-        lines = file.read().splitlines()
-    path = []
+    lines, path = lines_of(name), []
     for i in range(0, len(lines), bodies + 2):
-        rows = [list(map(float, line.split()[1:])) for line in lines[i + 2:i + 2 + bodies]]
-        path.append(Instant([State(tuple(r[0:3]), tuple(r[5:8]), tuple(r[8:11])) for r in rows]))
+        rows = [numbers_of(line.split()[1:], 11) for line in lines[i + 2:i + 2 + bodies]]
+        path.append(Instant([State(r[0:3], r[5:8], r[8:11]) for r in rows]))
     return path
 
 
 def first_contact_time(name: str) -> Optional[float]:
     """From touch to the first end of the contact in which body 1 was first."""
-    with open(name, encoding="utf-8", newline="") as file:
-        rows = [row for row in csv.DictReader(file) if "1" in (row["i"], row["j"])]
+    rows = [row for row in csv.DictReader(lines_of(name)) if "1" in (row["i"], row["j"])]
     first = min(rows, key=lambda row: float(row["t_begin [s]"]), default=None)
     return float(first["t_end [s]"]) - float(first["t_begin [s]"]) if first and first["t_end [s]"] else None
 

@@ -9,28 +9,17 @@ cases; where it dies in one, another goes on with the next. Velocities are hande
 half a step behind the places.
 """
 
-import functools
 import math
 import os
-import re
 import sys
 import tempfile
 from typing import Dict, List, Sequence, Tuple
 
-from adapter import Engine, main, run_engine
-from case import Case, Law, NotRun, axis_of, effective_mass, effective_radius, parameters_of, poisson_of
-from outcome import EngineFailed, Instant, Path, State, run_of_path
+from adapter import Engine, main, run_engine, version_by
+from case import POISSON, Case, Law, NotRun, axis_of, effective_mass, effective_radius, parameters_of, poisson_of
+from outcome import EngineFailed, Instant, Path, State, lines_of, numbers_of, run_of_path
 
-POISSON = 0.3  # where no shear stiffness asks for another
-
-
-@functools.lru_cache(maxsize=None)
-def version(program: str) -> str:
-    said = run_engine([program, "--version"], tempfile.gettempdir())
-    found = re.search(r"Yade version: (\S+)", said)
-    if not found:
-        raise EngineFailed("--version does not say which version it is")
-    return found[1]
+version = version_by(r"Yade version: (\S+)", "--version")
 
 
 # --- Laws: what defines grain, stone (the walls' material), ip2 and law2 ---------------------------------------------
@@ -38,7 +27,7 @@ def other_half(name: str, grain: float, both: float) -> float:
     """The wall's part, where grain and wall in series are to have `both`."""
     if both == 0:
         return 0.0
-    if both >= grain:
+    if both >= (1 - 1e-9) * grain:
         raise NotRun(f"springs and dashpots in series: no wall has such a {name} beside these grains")
     return 1 / (1 / both - 1 / grain)
 
@@ -203,12 +192,12 @@ def deck(case: Case, i: int, setup: str) -> str:
 
 
 def read_path(name: str, bodies: int) -> Path:
+    """A line an instant: place, velocity and spin of each body, then the force on the first."""
     path = []
-    with open(name, encoding="utf-8") as file:
-        for line in file:
-            x = tuple(map(float, line.split()))
-            path.append(Instant([State(x[9 * i:9 * i + 3], x[9 * i + 3:9 * i + 6], x[9 * i + 6:9 * i + 9])
-                                 for i in range(bodies)], x[-3:]))
+    for line in lines_of(name):
+        x = numbers_of(line.split(), 9 * bodies + 3)
+        path.append(Instant([State(x[i:i + 3], x[i + 3:i + 6], x[i + 6:i + 9]) for i in range(0, 9 * bodies, 9)],
+                            x[-3:]))
     return path
 
 

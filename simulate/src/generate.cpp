@@ -4,6 +4,7 @@
 #include <simulate/region.hpp>
 #include "sizes.hpp"
 
+#include <console/bound.hpp>
 #include <console/number.hpp>
 #include <console/progress.hpp>
 
@@ -93,7 +94,8 @@ void put_on_lattice(Order& order, const PourRegion& region, Crowd& crowd) {
   const double closest = 2 * order.largest;
   const double spacing = entry.has("spacing") ? entry.at("spacing").positive() : closest;
   if (spacing < closest)
-    entry.at("spacing").reject(fmt::format("at least {} m, twice the greatest radius", significant(closest, 6)));
+    entry.at("spacing").reject(fmt::format("at least {} m, twice the greatest radius",
+                                           console::bound_text({closest, console::Bound::lower}, spacing)));
   const double jitter = entry.has("jitter") ? entry.at("jitter").not_negative() : 0;
   if (jitter > 1) entry.at("jitter").reject("in [0, 1]");
   const Vec3 size = region.high() - region.low();

@@ -97,10 +97,10 @@ void require_written(const std::string& path, std::uint64_t length) {
 
 GrowingFile::GrowingFile(std::string path, std::uint64_t length) : path_(std::move(path)), length_(length) {
   if (length > 0) require_written(path_, length);
-  file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (length == 0 ? O_TRUNC : 0), 0666);
-  if (file_ < 0)
-    throw console::BadInput(fmt::format("{}: cannot write: {}", path_, std::generic_category().message(errno)));
+  file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | (length == 0 ? O_CREAT | O_EXCL : 0), 0666);
+  if (file_ < 0) console::throw_cannot_create(path_, errno);
   if (length == 0) return;
+  kept_ = true;
   if (::ftruncate(file_, static_cast<off_t>(length)) != 0 || ::lseek(file_, 0, SEEK_END) < 0) {
     const int error = errno;
     ::close(file_);
@@ -115,6 +115,7 @@ GrowingFile::~GrowingFile() {
     // Whoever called for it has been told; here another failure is on its way.
   }
   ::close(file_);
+  if (!kept_) ::unlink(path_.c_str());
 }
 
 void GrowingFile::append(const std::string& record) {

@@ -24,7 +24,8 @@ void require_written(const std::string& path, std::uint64_t length);
 /// A file that grows by whole records and holds nothing else, even when the disk is full or the program is stopped.
 class GrowingFile {
  public:
-  /// Cut to `length`. Throws console::BadInput where the path cannot be written or, for a length, see above.
+  /// Cut to `length`; of 0 a new one, which goes again at the end of the scope unless it is kept. Throws
+  /// console::BadInput or CannotWrite where the path cannot be written and, for a length, see above.
   GrowingFile(std::string path, std::uint64_t length);
   ~GrowingFile();
   GrowingFile(const GrowingFile&) = delete;
@@ -33,6 +34,7 @@ class GrowingFile {
   /// Throws console::CannotWrite with the path and the reason.
   void append(const std::string& record);
   std::uint64_t flush();  ///< to the disc; the length now
+  void keep() noexcept { kept_ = true; }
 
  private:
   void write_pending();
@@ -40,6 +42,7 @@ class GrowingFile {
   std::string path_, pending_;
   std::uint64_t length_;
   int file_ = -1;
+  bool kept_ = false;
 };
 
 }  // namespace ricochet::simulate

@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -30,8 +29,10 @@ using Clock = std::chrono::steady_clock;
 /// Below it, what the memory of a fractional contact leaves out is small against what the time steps do.
 constexpr double unspoken_kernel_error = 1e-6;
 
-/// Of which a state knows the lengths.
-constexpr std::array outputs{"/trajectory.xyz", "/contacts.csv", "/energy.csv"};
+/// Of the first of run_files a state, which is the last, knows the lengths.
+constexpr std::size_t growing = run_files.size() - 1;
+
+std::string in(const std::string& folder, std::size_t file) { return folder + "/" + run_files.at(file); }
 
 // Checked before anything is written.
 Cluster prepared(const Scene& scene) {
@@ -53,11 +54,11 @@ class Run {
       : scene_(scene),
         roster_(scene),
         inflow_(scene),
-        state_path_(folder + "/state.json"),
+        state_path_(in(folder, growing)),
         cluster_(std::move(cluster)),
-        trajectory_(folder + outputs[0], from ? from->lengths[0] : 0),
-        contacts_(folder + outputs[1], from ? from->lengths[1] : 0),
-        energy_(folder + outputs[2], from ? from->lengths[2] : 0) {
+        trajectory_(in(folder, 0), from ? from->lengths[0] : 0),
+        contacts_(in(folder, 1), from ? from->lengths[1] : 0),
+        energy_(in(folder, 2), from ? from->lengths[2] : 0) {
     if (format == Format::vtk)
       vtk_.emplace(folder + "/vtk", scene, from ? from->state.steps / scene.output_every + 1 : 0);
     if (from) {
@@ -187,6 +188,8 @@ class Run {
                        inflow_.brought(),
                        cluster_.state()};
     console::write_atomically(state_path_, write_checkpoint(scene_, c));
+    for (GrowingFile* file : {&trajectory_, &contacts_, &energy_}) file->keep();
+    if (vtk_) vtk_->keep();
   }
 
   const Scene& scene_;
@@ -202,23 +205,26 @@ class Run {
 
 int run(const Scene& scene, const std::string& folder, bool resume, const std::function<void()>& begun, Format format) {
   const console::StopOnSignal signals;  // from here on: a stop while memory kernels are built leaves a state as well
-  const std::string state = folder + "/state.json";
-  std::error_code error;
+  const std::string state = in(folder, growing);
   if (!resume) {
-    if (fs::exists(state, error))
+    // A link that leads nowhere is there as well.
+    const auto there = [&](const std::string& path) {
+      std::error_code error;
+      return fs::exists(fs::symlink_status(path, error));
+    };
+    if (there(state))
       throw console::BadInput(
           fmt::format("-o {}: holds a run already; --resume goes on with it, another folder starts anew", folder));
-    for (const char* const name : {"trajectory.xyz", "contacts.csv", "energy.csv", "vtk"})
-      if (fs::exists(fs::path(folder) / name, error))
+    for (const char* const name : {run_files[0], run_files[1], run_files[2], "vtk"})
+      if (there(folder + "/" + name))
         throw console::BadInput(
             fmt::format("-o {}: holds {} without the state.json of a run; another folder keeps it", folder, name));
     Cluster cluster = prepared(scene);
-    fs::create_directories(folder, error);
-    if (error) throw console::BadInput(fmt::format("-o {}: cannot be made: {}", folder, error.message()));
+    const console::MadeFolder made(folder);
     return Run(scene, std::move(cluster), folder, {}, format).go(begun);
   }
   const Checkpoint from = read_checkpoint(state, console::read_input(state), scene);
-  for (std::size_t k = 0; k < outputs.size(); ++k) require_written(folder + outputs[k], from.lengths[k]);
+  for (std::size_t k = 0; k < growing; ++k) require_written(in(folder, k), from.lengths[k]);
   if (from.complete) return 0;
   return Run(scene, prepared(scene), folder, from, from.format).go(begun);
 }

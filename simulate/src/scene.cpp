@@ -332,7 +332,8 @@ void check_space(const Node& root, const Scene& scene) {
     if (const double period = scene.setup.periodic.period.*axis; period > 0 && !(period > 1.001 * least))
       root.at("periodic")
           .at(key)
-          .reject(fmt::format("borders more than {} m apart, two diameters", significant(1.001 * least, 3)));
+          // Such that a value of three digits is accepted.
+          .reject(fmt::format("borders more than {} m apart, two diameters", significant(1.006 * least, 3)));
 }
 
 }  // namespace

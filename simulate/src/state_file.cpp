@@ -3,6 +3,7 @@
 #include "fingerprint.hpp"
 #include "state_bounds.hpp"
 
+#include <console/bound.hpp>
 #include <console/exit.hpp>
 #include <console/node.hpp>
 #include <console/number.hpp>
@@ -83,7 +84,8 @@ double time_or_never(const Node& node, double earliest, double latest) {
 double no_greater(const Node& node, double most, const char* unit) {
   const double value = node.number();
   if (!(std::abs(value) <= most))
-    node.reject(fmt::format("at most {} {} in size", console::significant(most, 3), unit));
+    node.reject(fmt::format("at most {} {} in size",
+                            console::bound_text({most, console::Bound::upper}, std::abs(value), 3), unit));
   return value;
 }
 
@@ -99,7 +101,7 @@ std::vector<Vec3> read_vectors(const Node& node, const Scene& scene, const Prese
     const double longest = most(scene.sphere(present[k]));
     if (all.push_back(one.vector()); !(norm(all.back()) <= longest))
       one.reject(fmt::format("a vector of at most {} {}, as the scene lets it become by then",
-                             console::significant(longest, 3), unit));
+                             console::bound_text({longest, console::Bound::upper}, norm(all.back()), 3), unit));
   }
   return all;
 }

@@ -2,13 +2,11 @@
 
 #include "outputs.hpp"
 
-#include <console/exit.hpp>
 #include <console/number.hpp>
-#include <console/output.hpp>
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <unistd.h>
 
 namespace ricochet::simulate {
 namespace {
@@ -16,6 +14,8 @@ namespace {
 using console::shortest;
 
 std::string spelled(Vec3 v) { return fmt::format("{} {} {}\n", shortest(v.x), shortest(v.y), shortest(v.z)); }
+
+constexpr const char* series_file = "spheres.vtk.series";
 
 std::string file_of(std::size_t frame) { return fmt::format("spheres.{:06}.vtk", frame); }
 
@@ -46,16 +46,22 @@ std::string frame_vtk(const Scene& scene, const Roster& roster, const Cluster& c
   return frame;
 }
 
-VtkFolder::VtkFolder(std::string folder, const Scene& scene, std::uint64_t frames) : folder_(std::move(folder)) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw console::BadInput(fmt::format("{}: cannot be made: {}", folder_, error.message()));
+VtkFolder::VtkFolder(const std::string& folder, const Scene& scene, std::uint64_t frames)
+    : folder_(folder), kept_(frames > 0) {
   for (std::uint64_t k = 0; k < frames; ++k)
     times_.push_back(static_cast<double>(k * scene.output_every) * scene.options.step);
 }
 
+VtkFolder::~VtkFolder() {
+  if (kept_) return;
+  for (std::size_t k = 0; k < times_.size(); ++k) ::unlink(path(file_of(k)).c_str());
+  ::unlink(path(series_file).c_str());
+}
+
+std::string VtkFolder::path(const std::string& name) const { return fmt::format("{}/{}", folder_.path(), name); }
+
 void VtkFolder::add(const std::string& frame, double time) {
-  console::write_atomically(fmt::format("{}/{}", folder_, file_of(times_.size())), frame);
+  console::write_atomically(path(file_of(times_.size())), frame);
   times_.push_back(time);
   write_series();
 }
@@ -65,7 +71,7 @@ void VtkFolder::write_series() const {
   for (std::size_t k = 0; k < times_.size(); ++k)
     series += fmt::format("    {{\"name\": \"{}\", \"time\": {}}}{}\n", file_of(k), shortest(times_[k]),
                           k + 1 < times_.size() ? "," : "");
-  console::write_atomically(folder_ + "/spheres.vtk.series", series + "  ]\n}\n");
+  console::write_atomically(path(series_file), series + "  ]\n}\n");
 }
 
 }  // namespace ricochet::simulate

@@ -140,6 +140,14 @@ micros=3000000 instants_all=$instants instants=6
 each_signal 'verify all --quick --report out' all_or_nothing
 instants=$instants_all
 
+# Folders that were made for it go with it.
+for path in fresh fresh/a/b; do
+  signalled TERM 15 0.3 "verify all --quick --report $path"
+  [[ $code == 143 ]] || fail "verify all --report $path: exit code $code: $(cat err)"
+  [[ ! -e fresh ]] || fail "verify all --report $path: left $(find fresh)"
+  checks+=1
+done
+
 # simulate's files grow; stopped, they hold whole frames and rows, and --resume goes on to the very bytes of a whole
 # run.
 whole_records() {
@@ -282,6 +290,13 @@ if ((EUID == 0)) && unshare -m mount -t tmpfs none small 2>/dev/null; then
       must_fail 4 "^${command%% *}: out/[^:]*: cannot write: $full\$" "$command on a disk of $size pages"
     done
   done
+  # A name that nothing may take, as something is mounted there, comes last: what has its place gives it back.
+  for command in 'calibrate --tcol 1e-4 --en 0.5 --law fractional --report out/page.html -o out/laws.csv --format csv' \
+    'verify tcol --figures out -o out/laws.csv'; do
+    reference "$command"
+    run unshare -m bash -c "mount --bind rows.csv out/laws.csv && $command"
+    must_fail 4 "^${command%% *}: out/laws.csv: cannot write: Device or resource busy\$" "$command, which is mounted"
+  done
   run unshare -m bash -c "mount -t tmpfs -o size=8k none tmp && verify figures --figures out"
   must_fail 4 "^verify: .*: cannot write: $full\$" 'verify figures with a full /tmp'
   rm -rf before && mkdir before
@@ -297,7 +312,7 @@ else
   skip 'small disks (only root can mount one)'
 fi
 run simulate source/data/scenes/bounce.json -o rows.csv/x
-must_fail 2 '^simulate: -o rows.csv/x: cannot be made: Not a directory$' 'simulate into a file'
+must_fail 2 '^simulate: rows.csv/x: cannot make the folder: Not a directory$' 'simulate into a file'
 run bash -c 'ulimit -f 8; simulate source/data/scenes/bounce.json -o out'
 [[ $code == 4 ]] && grep -qE '^simulate: out/[a-z.]*: cannot write: File too large$' err ||
   fail "simulate with ulimit -f: $code: $(cat err)"

@@ -42,7 +42,9 @@ echo before >kept.csv
 mkfifo slow
 (head -3 rows.csv; sleep 20) >slow 2>/dev/null & feeder=$!
 "$calibrate" --targets slow -o kept.csv & job=$!
-sleep 0.3
+begun() { [[ -n $(find . -name '.kept.csv.*') ]]; } # to write
+for ((k = 0; k < 300; ++k)); do begun && break || sleep 0.05; done
+begun || fail 'nothing to interrupt: no temporary file'
 kill -TERM "$job"
 code=0
 wait "$job" || code=$?

@@ -180,3 +180,30 @@ TEST_CASE("the trajectory satisfies m zeta'' + R = 0 for every conversion degree
   CHECK_THROWS_WITH(FractionalTrajectory(1, 0.5, 1, 1).overlap(-1), "t = -1: must be finite and >= 0");
   CHECK_THROWS_AS(FractionalTrajectory(1, 1.5, 1, 1).force(0), std::invalid_argument);
 }
+
+TEST_CASE("A trajectory at the edge of doubles is a double or refuses the time") {
+  std::size_t numbers = 0, refused = 0;
+  for (const double alpha : {-1.0, -0.5, 0.0, 0.5, 0.97, 1.0, 1.5})
+    for (const double coefficient : {1e-320, 1.0, 1e300})
+      for (const double mass : {5e-324, 1.0, 1e308})
+        for (const double velocity : {1e-300, 1.0, 1e300, 1.7e308}) try {
+            const FractionalTrajectory path(coefficient, alpha, mass, velocity);
+            for (const double s : {0.5, 1.9, 6.0, 40.0})
+              for (const auto number :
+                   {&FractionalTrajectory::overlap, &FractionalTrajectory::rate, &FractionalTrajectory::force})
+                try {
+                  const double value = (path.*number)(s * path.time_scale());
+                  CHECK(std::isfinite(value));
+                  ++numbers;
+                } catch (const std::invalid_argument& error) {
+                  CHECK_THAT(error.what(), Catch::StartsWith("t = ") || Catch::StartsWith("x = "));
+                  ++refused;
+                }
+          } catch (const std::invalid_argument& error) {
+            CHECK_THAT(error.what(), Catch::StartsWith("unit of the motion = "));
+          }
+  CHECK(numbers > 100);
+  CHECK(refused > 10);
+  CHECK_THROWS_WITH(FractionalTrajectory(1, -1, 1, 1.7e308).overlap(40),
+                    Catch::StartsWith("t = 40: must be a time at"));
+}

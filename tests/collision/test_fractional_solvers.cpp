@@ -1,9 +1,13 @@
+#include "../../core/src/collision/solvers/arms_equations.hpp"
+
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/solvers/fractional_solvers.hpp>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace ricochet;
 
@@ -52,6 +56,32 @@ TEST_CASE("The arms' exponential step is the product trapezoid rule to the kerne
   // P(EC)²E stops short of the implicit solution by a third power of w₀ ~ h^{2−α}: below 1e-8 here.
   CHECK(arms.en == Approx(history.en).epsilon(1e-8));
   CHECK(arms.tcol == Approx(history.tcol).epsilon(1e-8));
+}
+
+TEST_CASE("The Jacobian of the arms' equations is the slope of the equations") {
+  const collision::Exponentials kernel{0.3, 0.07, {1.1, 2.3, 4.7}, {0.9, 11, 130}};
+  constexpr std::size_t size = 5;
+  struct Matrix {
+    double at[size][size];
+    double& operator()(std::size_t i, std::size_t j) { return at[i][j]; }
+  } jacobian;
+  for (auto& row : jacobian.at) std::fill(row, row + size, 99.0);  // whatever was in it is to be gone
+  std::vector<double> x{0.2, -0.5, 0.1, 0.03, -0.002}, dfdt(size, 99.0);
+  collision::ArmsJacobian{kernel}(x, jacobian, 0, dfdt);
+  const auto slope_of = [&](std::size_t i, std::size_t j) {
+    std::vector<double> high = x, low = x, at_high(size), at_low(size);
+    high[j] += 0.5, low[j] -= 0.5;  // linear equations: of any width
+    collision::ArmsEquations{kernel}(high, at_high, 0);
+    collision::ArmsEquations{kernel}(low, at_low, 1);
+    return at_high[i] - at_low[i];
+  };
+  for (std::size_t i = 0; i < size; ++i) {
+    CHECK(dfdt[i] == 0);
+    for (std::size_t j = 0; j < size; ++j) {
+      CAPTURE(i, j);
+      CHECK(jacobian(i, j) == Approx(slope_of(i, j)).epsilon(1e-13).margin(1e-13));
+    }
+  }
 }
 
 TEST_CASE("Collocation needs no steps") {

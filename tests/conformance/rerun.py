@@ -63,9 +63,8 @@ def main(verify, adapter, stored, program, *only):
     with tempfile.TemporaryDirectory() as folder:
         cases, results = os.path.join(folder, "cases"), os.path.join(folder, "again.csv")
         subprocess.run([verify, "conformance", "--cases", cases], check=True, stdout=subprocess.DEVNULL)
-        chosen = ["--only", *only] if only else []
-        subprocess.run([sys.executable, adapter, cases, "-o", results, "--program", program, "--steps", "25," + STEPS, *chosen],
-                       check=True)
+        options = ["--program", program, "--steps", "25," + STEPS, *(["--only", *only] if only else [])]
+        subprocess.run([sys.executable, adapter, cases, "-o", results, *options], check=True)
         now, after = read(results)
     if now["version"] != about["version"] and not now["engine"].startswith("Ricochet"):
         skip(f"{stored} is of {about['version']}, here is {now['version']}")

@@ -3,6 +3,7 @@
 #include "temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
+#include <console/exit.hpp>
 #include <console/output.hpp>
 
 #include <fcntl.h>
@@ -10,6 +11,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <string>
 #include <vector>
 
@@ -21,7 +23,15 @@ std::vector<std::string>& calls() {
   return all;
 }
 
+/// As on a file system whose files have one name each.
+bool no_links = false;
+
 }  // namespace
+
+extern "C" int link(const char* from, const char* to) noexcept {
+  if (no_links && ::access(from, F_OK) == 0) return errno = EPERM, -1;
+  return static_cast<int>(::syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0));
+}
 
 extern "C" int fsync(int file) {
   struct stat status = {};
@@ -53,4 +63,26 @@ TEST_CASE("all files of a folder are on the disc before the first takes its name
   CHECK(calls() == Calls{"file", "file"});
   out.commit();
   CHECK(calls() == Calls{"file", "file", "rename", "rename", "folder", "folder"});
+}
+
+TEST_CASE("where files have one name each, all files of a folder are replaced, or none") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"a.txt", "b.txt"}) write_atomically(folder / name, "old");
+  no_links = true;
+  {
+    OutputFolder out(folder.path());
+    for (const std::string name : {"a.txt", "b.txt", "c.txt"}) out.add(name, "new");
+    std::filesystem::create_directory(folder / "c.txt");
+    CHECK_THROWS_AS(out.commit(), CannotWrite);
+  }
+  CHECK(read_file(folder / "a.txt") == "old");
+  CHECK(read_file(folder / "b.txt") == "old");
+  std::filesystem::remove(folder / "c.txt");
+  OutputFolder out(folder.path());
+  out.add("a.txt", "new");
+  out.add("b.txt", "new");
+  out.commit();
+  no_links = false;
+  CHECK(read_file(folder / "a.txt") == "new");
+  CHECK(read_file(folder / "b.txt") == "new");
 }

@@ -13,6 +13,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <csignal>
 
 using namespace ricochet::console;
@@ -265,6 +266,94 @@ TEST_CASE("folders that were made for files that never came are gone again, thos
   out.add("x.txt", "x");
   out.commit();
   CHECK(read_file(folder / "a/b/c/x.txt") == "x");
+}
+
+TEST_CASE("a signal takes back the folders that were made, however they are written, and no others") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "there");
+  for (const std::string path : {"there/a/b/c", "a", "a/", "a//b///c", "there/../a/b/../c", "a/./b"}) {
+    CAPTURE(path);
+    const int status = in_child([&] {
+      OutputFolder output(folder / path);
+      output.add("x.txt", "x");
+      ::raise(SIGTERM);
+    });
+    CHECK(WTERMSIG(status) == SIGTERM);
+    CHECK(folder.count() == 1);
+    CHECK(std::filesystem::is_empty(folder / "there"));
+  }
+  // What came to stay keeps its folders.
+  in_child([&] {
+    OutputFolder output(folder / "a/b");
+    output.add("x.txt", "x");
+    output.commit();
+    ::raise(SIGTERM);
+  });
+  CHECK(read_file(folder / "a/b/x.txt") == "x");
+}
+
+TEST_CASE("folders that are made but have no room for a name inside are not left") {
+  const TemporaryFolder folder;
+  std::string deep = folder / "a";
+  while (deep.size() < 4085) deep += "/" + std::string(std::min<std::size_t>(250, 4085 - deep.size()), 'd');
+  CHECK_THROWS_AS(OutputFolder(deep), BadInput);
+  CHECK(folder.count() == 0);
+}
+
+TEST_CASE("all files of a command are replaced, or none") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"page", "answer"}) write_atomically(folder / name, "old");
+  const auto write = [&](Together& all) {
+    all.folder(folder / "figures").add("a.txt", "new");
+    all.file(folder / "page").write("new");
+    all.output(folder / "answer").write("new");
+  };
+  {
+    Together all;
+    write(all);
+    // By the time of the commit the last is a folder's name.
+    std::filesystem::remove(folder / "answer");
+    std::filesystem::create_directory(folder / "answer");
+    CHECK_THROWS_WITH(all.commit(), (folder / "answer") + ": cannot write: Is a directory");
+  }
+  CHECK(read_file(folder / "page") == "old");
+  CHECK_FALSE(std::filesystem::exists(folder / "figures"));
+  std::filesystem::remove(folder / "answer");
+  Together all;
+  write(all);
+  CHECK(read_file(folder / "page") == "old");
+  all.commit();
+  CHECK(read_file(folder / "page") == "new");
+  CHECK(read_file(folder / "answer") == "new");
+  CHECK(read_file(folder / "figures/a.txt") == "new");
+  CHECK(folder.count() == 3);
+}
+
+TEST_CASE("files that wait beside each other do not meet") {
+  const TemporaryFolder folder, elsewhere;
+  write_atomically(elsewhere / "b", "old");
+  std::filesystem::create_symlink(elsewhere / "b", folder / "a");
+  Together all;
+  all.output(elsewhere / "a").write("answer");
+  all.folder(folder.path()).add("a", "figure");  // waits in the same folder, under the name of a as well
+  all.commit();
+  CHECK(read_file(elsewhere / "a") == "answer");
+  CHECK(read_file(elsewhere / "b") == "figure");
+  CHECK(elsewhere.count() == 2);
+}
+
+TEST_CASE("two outputs that would be the same file are refused when their names are known") {
+  const TemporaryFolder folder;
+  write_atomically(folder / "a.txt", "old");
+  for (const std::string name : {"a.txt", "b.txt"}) {
+    Together all;
+    all.folder(folder.path()).add(name, "x");
+    const std::string other = folder.path().string() + "/./" + name;
+    all.output(other).write("y");
+    CHECK_THROWS_WITH(all.commit(), other + ": would be written twice: each output must have a name of its own");
+  }
+  CHECK(read_file(folder / "a.txt") == "old");
+  CHECK(folder.count() == 1);
 }
 
 TEST_CASE("a folder that somebody holds is no leftover, even where no process has the number in its name") {

@@ -100,6 +100,10 @@ TEST_CASE("every wrong command line is one line and exit code 2") {
       {{"--format", "xml"}, "try: --format = xml: must be table, json, csv or markdown\n"},
       {{"-o", ""}, "try: --output = '': must not be empty\n"},
       {{"--en", "1\x1b[31m"}, "try: --en = 1\\x1b[31m: must be a finite number\n"},
+      {{"--en",
+        "1\xc2\x9b"
+        "2J"},
+       "try: --en = 1\\xc2\\x9b2J: must be a finite number\n"},
       {{"-o", "/none/x"}, "try: /none/x: cannot write: No such file or directory\n"}};
   for (const auto& [arguments, message] : cases) {
     const Ran ran = run(arguments);

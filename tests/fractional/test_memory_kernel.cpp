@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <vector>
 
 using ricochet::Arm;
@@ -237,6 +238,14 @@ TEST_CASE("A memory kernel scales with the unit of time") {
   REQUIRE(a.arms().size() == b.arms().size());
   CHECK(b.spring() == Approx(a.spring() * std::pow(1e-6, -0.3)).epsilon(1e-9));
   CHECK(b.dashpot() == Approx(a.dashpot() * std::pow(1e-6, 0.7)).epsilon(1e-9));
+}
+
+TEST_CASE("No memory kernel takes long to make") {
+  // The slowest of the whole domain takes some 2.5 s of one processor; what a slow one needs under an instrument is
+  // bounded by 60 s, and what does not end is not.
+  const std::clock_t begin = std::clock();
+  CHECK(memory_kernel(0.999, 1, 1e6, 1e-12).error() <= 1e-12);
+  CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 60);
 }
 
 TEST_CASE("Misuse of a memory kernel is named") {

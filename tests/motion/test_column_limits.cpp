@@ -72,6 +72,28 @@ TEST_CASE("A step that cannot resolve the contacts is refused, and no column gai
   check(fractional(mass, 0.3), fractional(mass / 2, 0.3), ContactEnd::force);
 }
 
+TEST_CASE("A light bead between heavy ones is squeezed by their energy, which the largest step knows", "[column]") {
+  // On the plate, under a hundred thousand times its mass: a binary collision of its own presses it far less.
+  const Column column{{1e-6, 0.1}, {0, 0}, {velocity, velocity}};
+  const auto energy = [&](const auto& law, double share) {
+    const double step = share * largest_step(column, law, law);
+    const ColumnResult r = motion::run(column, law, law, {.step = step, .duration = 2000 * step / share});
+    return r.end == ColumnEnd::broke_down ? std::nan("") : r.energy_ratio;
+  };
+  const auto check = [&](const auto& law) {
+    CHECK(energy(law, 1) == Approx(energy(law, 0.3)).epsilon(0.01));
+    CHECK(std::isnan(energy(law, 2)));  // as the step by its own collisions does, thrice as long
+  };
+  check(KuwabaraKono(1e7, 1));
+  check(Tsuji(1e7, 0.1));
+  // For a lone bead it is the energy of its own collision, and for beads that fly apart there is none.
+  const Tsuji hertz(1e7, 0);
+  const double overlap = std::pow(1.25 * mass * velocity * velocity / 1e7, 0.4), slope = 1.5 * 1e7 * std::sqrt(overlap);
+  CHECK(largest_step(equal_column(1, mass, 0, velocity), hertz, hertz) ==
+        Approx(std::sqrt(mass / slope)).epsilon(1e-12));
+  CHECK(std::isinf(largest_step(equal_column(2, mass, 0, -velocity), hertz, hertz)));
+}
+
 TEST_CASE("A column that breaks down says so and gives no numbers", "[column]") {
   // Nothing moves at the start, so that nothing tells how stiff the Hertzian contact will be that the fall from 1 m
   // makes.

@@ -115,7 +115,11 @@ TEST_CASE("periodic borders are read, and refused where they are too near or wal
   const Scene scene = read(bead + R"("periodic": {"x": [-0.1, 0.2], "z": [0, 0.05]})");
   CHECK(scene.setup.periodic.period == Vec3{0.2 + 0.1, 0, 0.05});
   CHECK(complaint(bead + R"("periodic": {"x": [-0.02, 0.02]})") ==
-        "/periodic/x = [-0.02,0.02]: must be borders more than 0.0467 m apart, two diameters");
+        "/periodic/x = [-0.02,0.02]: must be borders more than 0.0469 m apart, two diameters");
+  // Of a radius of 0.01: more than 4.671 of it, which no width of that many digits passes by.
+  CHECK(complaint(bead + R"("periodic": {"x": [0, 0.0467]})") ==
+        "/periodic/x = [0,0.0467]: must be borders more than 0.0469 m apart, two diameters");
+  CHECK(complaint(bead + R"("periodic": {"x": [0, 0.0469]})") == "accepted");
   CHECK(complaint(bead + R"("periodic": {"x": [1, 0]})") ==
         "/periodic/x = [1,0]: must be two borders [low, high], low < high");
   CHECK(complaint(bead + R"("periodic": {"x": 1})") == "/periodic/x = 1: must be two borders [low, high]");

@@ -178,6 +178,12 @@ TEST_CASE("what does not fit is refused with numbers") {
   CHECK(complaint(lattice(R"("number": 125)")) == "accepted");
   CHECK(complaint(lattice(R"("number": 1, "spacing": 0.009)")) ==
         "/lattice/0/spacing = 0.009: must be at least 0.01 m, twice the greatest radius");
+  CHECK(complaint(R"("lattice": [{"material": "glass", "radius": 0.0012345678, "number": 1, "spacing": 0.00246914,
+    "region": {"low": [0, 0, 0], "high": [0.05, 0.05, 0.05]}}])")
+            .find("at least") == std::string::npos);
+  CHECK(complaint(R"("lattice": [{"material": "glass", "radius": 0.0012345672, "number": 1, "spacing": 0.00246913,
+    "region": {"low": [0, 0, 0], "high": [0.05, 0.05, 0.05]}}])") ==
+        "/lattice/0/spacing = 0.00246913: must be at least 0.0024691344 m, twice the greatest radius");
   CHECK(complaint(lattice(R"("number": 1, "jitter": 2)")) == "/lattice/0/jitter = 2: must be in [0, 1]");
   CHECK(complaint(R"("lattice": [{"number": 1, "material": "glass", "radius": 0.03,
     "region": {"low": [0, 0, 0], "high": [0.05, 0.05, 0.05]}}])") ==

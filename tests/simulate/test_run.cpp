@@ -4,6 +4,10 @@
 #include <console/exit.hpp>
 #include <simulate/run.hpp>
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -74,6 +78,36 @@ TEST_CASE("contacts.csv names a permanent contact, and a breakage where the cont
   CHECK(ended("").find(",,permanent contact,compression") != std::string::npos);
   CHECK(ended(R"(, "breakage_energy": 3e-3)").find(",,permanent contact,") != std::string::npos);
   CHECK(ended(R"(, "breakage_energy": 1e-3)").find(",,breakage,compression") != std::string::npos);
+}
+
+TEST_CASE("a run that cannot begin leaves nothing, so that another can") {
+  const TemporaryFolder folder;
+  const Scene scene = bounce("0.01");
+  const int next = ::dup(0);
+  ::close(next);
+  for (const Format format : {Format::xyz, Format::vtk})
+    for (const int files : {0, 1, 2, 3}) {  // that can be opened at once; a fourth one is needed, the state's
+      CAPTURE(files);
+      const pid_t child = ::fork();
+      if (child == 0) {
+        const rlimit limit{rlim_t(next + files), rlim_t(next + files)};
+        ::setrlimit(RLIMIT_NOFILE, &limit);
+        try {
+          run(
+              scene, folder.path() / "a/b", false, [] {}, format);
+        } catch (const console::CannotWrite& error) {
+          ::_exit(std::string(error.what()).find(": cannot write: Too many open files") != std::string::npos ? 7 : 8);
+        }
+        ::_exit(9);
+      }
+      int status = 0;
+      ::waitpid(child, &status, 0);
+      CHECK(WEXITSTATUS(status) == 7);
+      CHECK(fs::is_empty(folder.path()));
+    }
+  fs::create_directory(folder.path() / "c");
+  fs::create_symlink("nowhere", folder.path() / "c/energy.csv");
+  CHECK_THROWS_WITH(run(scene, folder.path() / "c", false), Catch::Contains("holds energy.csv without the state.json"));
 }
 
 TEST_CASE("a run does not overwrite another, nor continue one of another scene") {

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <fstream>
+#include <regex>
 
 using namespace ricochet;
 using namespace ricochet::verify::conformance;
@@ -61,6 +62,20 @@ TEST_CASE("conformance: a results file is read back to the last bit") {
   CHECK(again.cases[1].note == "no torsion, no words for it");
   CHECK(again.find("torsion-none") == &again.cases[1]);
   CHECK(again.find("dem05") == nullptr);
+}
+
+TEST_CASE("conformance: what a file says of itself is read however its lines begin and end") {
+  const std::string row = "dem05,,,,,,,,,,,,,,no words\n";
+  for (const std::string& text :
+       {"\xef\xbb\xbf" + head + columns + row,
+        "#\tengine:\tMine\t\n #version : 1.2 \n#date:2026-11-27\n" + columns + row,
+        std::regex_replace("\xef\xbb\xbf" + head + columns + row, std::regex("\n"), "\r\n")}) {
+    const Results r = read(text);
+    CHECK(r.engine == "Mine");
+    CHECK(r.version == "1.2");
+    CHECK(r.date == "2026-11-27");
+    CHECK(r.find("dem05")->note == "no words");
+  }
 }
 
 TEST_CASE("conformance: what a file says of itself is harmless wherever it is shown") {

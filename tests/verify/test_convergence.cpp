@@ -1,11 +1,17 @@
+#include "../../verify/studies/arms_motion.hpp"
 #include "../../verify/studies/convergence.hpp"
+#include "../../verify/studies/solvers.hpp"
 
 #include <verify/registry.hpp>
+
+#include <ricochet/collision/fractional_contact.hpp>
 
 #include <CLI/CLI.hpp>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -108,4 +114,43 @@ TEST_CASE("verify orders: a mesh graded towards the start gives L1 and the trape
     const double full = scheme.starts_with("L1") ? 1.5 : 2;
     CHECK(row["stated_order"] == (scheme.ends_with("graded") ? full : 1.0));
   }
+}
+
+TEST_CASE("the exact motion under a kernel is a spring's, tends to the fractional law's, and is where solvers go") {
+  const ArmsMotion spring = exact_motion(memory_kernel(0, 0.1, 10, 1e-6), 3);
+  CHECK(spring.tcol == Approx(std::numbers::pi).epsilon(1e-14));
+  CHECK(spring.en == Approx(1).epsilon(1e-14));
+  CHECK(std::abs(spring.overlap_end) < 1e-14);
+  for (const double alpha : {0.1, 0.5, 0.9}) {
+    CAPTURE(alpha);
+    const FractionalContact law = fractional_contact(alpha);
+    const Fractional one(1, 1, alpha);
+    const Impact impact{.velocity = 1, .mass_eff = 1};
+    // The kernel errs by its tolerance and by delta^(3 - alpha).
+    const double delta = law.tau / 1000, bound = 10 * (std::pow(delta, 3 - alpha) + 1e-10);
+    const ArmsMotion fine = exact_motion(solver_kernel(one, impact, delta), law.tau);
+    CHECK(fine.tcol == Approx(law.tau).epsilon(bound));
+    CHECK(fine.en == Approx(law.en).epsilon(bound));
+    CHECK(fine.overlap_end == Approx(law.overlap_end * law.tau).epsilon(bound));
+    // Order 4 leaves 1e-11 of 1024 steps.
+    const MemoryKernel coarse = solver_kernel(one, impact, law.tau / 16);
+    const ArmsMotion kept = exact_motion(coarse, law.tau);
+    FractionalSolverOptions options{.step = law.tau / 1024};
+    options.kernel = coarse;
+    const auto stepped = solve_collision(FractionalScheme::arms_rosenbrock, one, impact, options);
+    CHECK(stepped.tcol == Approx(kept.tcol).epsilon(1e-9));
+    CHECK(stepped.en == Approx(kept.en).epsilon(1e-9));
+    CHECK(stepped.overlap_end == Approx(kept.overlap_end).epsilon(1e-9));
+    CHECK(std::abs(kept.en / law.en - 1) > 1e-8);  // it is the kernel's, not the law's
+  }
+}
+
+TEST_CASE("Rosenbrock's order is one towards the exact motion under its kernel, which a wrong arm would miss") {
+  const SolverConvergence good =
+      measure(FractionalScheme::arms_rosenbrock, 0.5, doubled_steps(128), Against::kept_kernel);
+  CHECK(good.en.pass());
+  CHECK(stated_against(FractionalScheme::arms_rosenbrock) == Against::kept_kernel);
+  const SolverConvergence other =
+      measure(FractionalScheme::arms_rosenbrock, 0.5, doubled_steps(128), Against::closed_form);
+  CHECK_FALSE(other.en.pass());  // whose kernel keeps an error
 }

@@ -253,6 +253,13 @@ TEST_CASE("verify order: bad input") {
   CHECK(run("h,error\n1,1\n1,2\n.5,2\n", {"--stated", "1"}).code == 2);   // twice
   CHECK(run("h,error\n-1,1\n1,2\n.5,2\n", {"--stated", "1"}).code == 2);  // negative
   CHECK(run("", {"--stated", "1"}).code == 2);
+  // What a spreadsheet or a terminal would obey.
+  for (const std::string word : {"=cmd|' /C calc'!A0", "@sum", "\x1b[2J"})
+    for (const std::string column : {"scheme", "case"}) {
+      CAPTURE(word, column);
+      CHECK(run(column + ",h,error\n" + word + ",.4,.16\n" + word + ",.2,.04\n" + word + ",.1,.01\n", {"--stated", "2"})
+                .code == 2);
+    }
   CHECK(run(second_order, {"--stated", "0"}).code == 2);
   CHECK(run(second_order, {"--stated", "2", "--allowed", "-1"}).code == 2);
   CHECK(run(second_order, {"--stated", "2", "--reference", "best"}).code == 2);

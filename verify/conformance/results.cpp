@@ -46,17 +46,22 @@ std::string harmless(std::string_view text) {
   return words;
 }
 
-/// "# key: value" of the file's remarks; empty where there is none.
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// "# key: value" of the file's remarks, a byte order mark before the first; empty where there is none.
 std::string remark(std::string_view text, std::string_view key) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   while (!text.empty()) {
-    std::string_view line = console::take_line(text);
+    std::string_view line = trimmed(console::take_line(text));
     if (!line.starts_with('#')) continue;
-    line.remove_prefix(1);
-    while (line.starts_with(' ')) line.remove_prefix(1);
-    if (!line.starts_with(key) || !line.substr(key.size()).starts_with(':')) continue;
-    line.remove_prefix(key.size() + 1);
-    while (line.ends_with(' ')) line.remove_suffix(1);
-    return harmless(line);
+    line = trimmed(line.substr(1));
+    if (!line.starts_with(key)) continue;
+    line = trimmed(line.substr(key.size()));
+    if (line.starts_with(':')) return harmless(trimmed(line.substr(1)));
   }
   return {};
 }

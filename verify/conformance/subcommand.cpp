@@ -92,6 +92,7 @@ class Conformance : public Study {
     for (const std::string& path : results_) all.push_back({"--results", path});
     return all;
   }
+  std::vector<console::NamedFile> outputs() const override { return {{"--report", page_}}; }
   void add_options(CLI::App& app) override {
     app.add_flag("--list", list_, "the cases");
     app.add_option("--cases", cases_folder_, "write each case as DIR/<case>.json, for engines to run")
@@ -116,6 +117,14 @@ class Conformance : public Study {
     if (list_ || !cases_folder_.empty()) return listed(cases);
     return compared(cases);
   }
+  void write(console::Together& files) const override {
+    for (const auto& [path, made] : {std::pair(&cases_folder_, &case_files_), std::pair(&badges_, &badge_files_)}) {
+      if (path->empty()) continue;
+      console::OutputFolder& folder = files.folder(*path);
+      for (const console::DataFile& file : *made) folder.add(file.name, file.bytes);
+    }
+    if (!page_.empty()) files.file(page_).write(page_text_);
+  }
 
  private:
   /// Nothing that is asked for is passed over.
@@ -127,19 +136,16 @@ class Conformance : public Study {
       throw console::BadInput("--list, --cases: must be given without --results, --report and --badge");
   }
 
-  StudyResult listed(const std::vector<Case>& cases) const {
+  StudyResult listed(const std::vector<Case>& cases) {
     StudyResult result;
     result.tables = {list_of(cases)};
     result.gates = {answers_are_known(cases)};
     result.verdict = fmt::format("{} cases.", cases.size());
-    if (cases_folder_.empty()) return result;
-    console::OutputFolder files(cases_folder_);
-    for (const Case& c : cases) files.add(c.name + ".json", console::document(to_json(c)));
-    files.commit();
+    for (const Case& c : cases) case_files_.push_back({c.name + ".json", console::document(to_json(c))});
     return result;
   }
 
-  StudyResult compared(const std::vector<Case>& cases) const {
+  StudyResult compared(const std::vector<Case>& cases) {
     const std::vector<Answered> all = answered(cases);
     const bool ours = results_.empty();
     std::vector<console::NamedFile> files;
@@ -163,29 +169,29 @@ class Conformance : public Study {
     result.data = grade_table(engines);
     result.verdict = fmt::format("{} engines, {} cases; {} of {} that were run converge to the answer.", engines.size(),
                                  cases.size(), right, runs);
-    write(engines);
+    if (!badges_.empty()) badge_files_ = badges_of(engines);
+    if (!page_.empty()) page_text_ = conformance_page(engines, facts(true));
     return result;
   }
 
-  void write(const std::vector<EngineGrade>& engines) const {
-    if (!badges_.empty()) {
-      console::OutputFolder folder(badges_);
-      std::set<std::string> names;
-      for (const EngineGrade& e : engines) {
-        const std::string stem = file_stem(e.results);
-        if (stem.empty() || !names.insert(stem).second)
-          throw console::BadInput("--badge", label(e.results),
-                                  "an engine and version whose letters and digits name it alone");
-        folder.add(stem + ".svg", badge(e));
-      }
-      folder.commit();
+  static std::vector<console::DataFile> badges_of(const std::vector<EngineGrade>& engines) {
+    std::vector<console::DataFile> files;
+    std::set<std::string> names;
+    for (const EngineGrade& e : engines) {
+      const std::string stem = file_stem(e.results);
+      if (stem.empty() || !names.insert(stem).second)
+        throw console::BadInput("--badge", label(e.results),
+                                "an engine and version whose letters and digits name it alone");
+      files.push_back({stem + ".svg", badge(e)});
     }
-    if (!page_.empty()) console::write_atomically(page_, conformance_page(engines, facts(true)));
+    return files;
   }
 
   bool list_ = false;
   std::string cases_folder_, run_, page_, badges_;
   std::vector<std::string> results_;
+  std::vector<console::DataFile> case_files_, badge_files_;
+  std::string page_text_;
 };
 
 }  // namespace

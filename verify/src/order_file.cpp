@@ -1,6 +1,7 @@
 #include "order_file.hpp"
 
 #include <console/csv.hpp>
+#include <console/harmless.hpp>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,11 @@ constexpr std::array columns{console::CsvColumn{"h"},     console::CsvColumn{"n"
 
 /// The case that the row belongs to, a new one if it is the first.
 OrderCase& case_of(OrderFile& file, const console::CsvReader& rows) {
-  const auto text = [&](Column column) { return rows.has(column) ? std::string(rows.text(column)) : std::string(); };
+  const auto text = [&](Column column) {
+    if (!rows.has(column)) return std::string();
+    if (!console::is_harmless(rows.text(column))) rows.reject(column, console::harmless_words);
+    return std::string(rows.text(column));
+  };
   const auto same = std::find_if(file.cases.begin(), file.cases.end(),
                                  [&](const OrderCase& c) { return c.scheme == text(scheme) && c.name == text(name); });
   if (same != file.cases.end()) return *same;

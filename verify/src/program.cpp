@@ -6,7 +6,6 @@
 #include <console/output.hpp>
 #include <console/program.hpp>
 #include <console/progress.hpp>
-#include <console/signals.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 
 namespace ricochet::verify {
@@ -41,31 +41,38 @@ Exit judged(const Study& study, const StudyResult& result) {
   return all_pass(result.gates) ? Exit::done : Exit::gate_failed;
 }
 
-/// The folder of --figures or --report, if one is asked for.
-using Folder = std::optional<console::OutputFolder>;
+/// The folder of --figures or --report, if one is asked for; made before anything is computed, so that one that cannot
+/// be written is told at once.
+console::OutputFolder* folder_of(const Options& options, console::Together& files) {
+  return options.folder.empty() ? nullptr : &files.folder(options.folder);
+}
 
-/// Before anything is computed, so that a folder that cannot be written is told at once.
-void open_folder(Folder& folder, const std::string& path) {
-  if (!path.empty()) folder.emplace(path);
+/// Of what comes into that folder, names that are known before anything is computed.
+void add_known(std::vector<console::NamedFile>& outputs, const char* flag, const std::string& folder,
+               const std::string& stem, std::initializer_list<const char*> endings) {
+  if (folder.empty()) return;
+  for (const char* const ending : endings) outputs.push_back({flag, fmt::format("{}/{}{}", folder, stem, ending)});
 }
 
 Exit run_one(Study& study, const Options& options) {
-  console::require_apart(study.inputs(), std::vector<console::NamedFile>{{"-o", options.output.file}});
-  Folder folder;
-  open_folder(folder, options.folder);
-  console::Output output(options.output.file);
+  std::vector<console::NamedFile> outputs = study.outputs();
+  add_known(outputs, "--figures", options.folder, study.name(), {".json", ".csv", "-gates.csv"});
+  outputs.push_back({"-o", options.output.file});
+  console::require_apart(study.inputs(), outputs);
+  console::Together files;
+  console::OutputFolder* const folder = folder_of(options, files);
+  console::Output& output = files.output(options.output.file);
   const StudyResult result = study.run(options.run);
   if (folder) write_study(study, result, *folder);
+  study.write(files);
   output.write(result.text ? *result.text : study_text(study, result, options.output.format));
-  const console::SignalsHeld held;
-  if (folder) folder->commit();
-  output.commit();
+  files.commit();
   return judged(study, result);
 }
 
 /// Runs one study and, where there is a folder, writes it. What breaks down is told and kept in the outcome; a folder
 /// that cannot be written ends all.
-Outcome run_guarded(Study& study, const Options& options, Folder& folder, Exit& worst) {
+Outcome run_guarded(Study& study, const Options& options, console::OutputFolder* folder, Exit& worst) {
   Outcome outcome{.study = &study};
   const auto start = std::chrono::steady_clock::now();
   try {
@@ -121,9 +128,15 @@ std::string shown_all(const std::vector<Outcome>& outcomes, Format format) {
 
 Exit run_all(const Studies& studies, const Options& options) {
   Exit worst = Exit::done;
-  Folder folder;
-  open_folder(folder, options.folder);
-  console::Output output(options.output.file);
+  std::vector<console::NamedFile> outputs;
+  add_known(outputs, "--report", options.folder, "", {"index.html", "report.json"});
+  for (const auto& study : studies)
+    add_known(outputs, "--report", options.folder, study->name(), {".json", ".csv", "-gates.csv"});
+  outputs.push_back({"-o", options.output.file});
+  console::require_apart({}, outputs);
+  console::Together files;
+  console::OutputFolder* const folder = folder_of(options, files);
+  console::Output& output = files.output(options.output.file);
   std::vector<Outcome> outcomes;
   {
     console::Progress progress("verify", studies.size());
@@ -138,9 +151,7 @@ Exit run_all(const Studies& studies, const Options& options) {
     folder->add("index.html", report_page(outcomes, made_by));
   }
   output.write(shown_all(outcomes, options.output.format));
-  const console::SignalsHeld held;
-  if (folder) folder->commit();
-  output.commit();
+  files.commit();
   return worst;
 }
 

@@ -1,5 +1,7 @@
 #include "solvers.hpp"
 
+#include "arms_motion.hpp"
+
 #include <ricochet/collision/fractional_contact.hpp>
 
 #include <cmath>
@@ -69,8 +71,9 @@ class Solver {
       : scheme_(scheme), tau_(fractional_contact(alpha).tau), law_(1, 1, alpha) {
     // Rosenbrock's order is that of the arms' equations, so its kernel is kept: coarse where only the order matters.
     if (scheme == FractionalScheme::arms_rosenbrock)
-      options_.kernel = solver_kernel(law_, impact, tau_ / (against == Against::own_limit ? 16 : 256));
+      options_.kernel = solver_kernel(law_, impact, tau_ / (against == Against::kept_kernel ? 16 : 256));
   }
+  const MemoryKernel& kernel() const { return *options_.kernel; }
 
   /// Steps of the contact's n-th part; their mesh is offset by `offset` of a step. For the collocation n nodes.
   FractionalSolverResult solve(std::size_t n, double offset) {
@@ -93,11 +96,11 @@ class Solver {
   FractionalSolverOptions options_;
 };
 
-Observed reference_of(Solver& solver, double alpha, std::size_t finest, Against against) {
+Observed reference_of(const Solver& solver, double alpha, Against against) {
   const FractionalContact exact = fractional_contact(alpha);
   if (against == Against::closed_form) return {exact.en, exact.tau, exact.overlap_end * exact.tau};
-  const FractionalSolverResult limit = solver.solve(4 * finest, 0);
-  return {limit.en, limit.tcol, limit.overlap_end};
+  const ArmsMotion kept = exact_motion(solver.kernel(), exact.tau);
+  return {kept.en, kept.tcol, kept.overlap_end};
 }
 
 }  // namespace
@@ -108,7 +111,7 @@ SolverConvergence measure(FractionalScheme scheme, double order, const std::vect
   const double alpha = integral ? -order : order;
   SolverConvergence result = statements(scheme, alpha);
   Solver solver(scheme, alpha, against);
-  const Observed reference = reference_of(solver, alpha, steps.back(), against);
+  const Observed reference = reference_of(solver, alpha, against);
   const int trials = scheme == FractionalScheme::collocation ? 1 : offsets;
   for (const std::size_t n : steps) {
     solver.keep_kernel(n);
@@ -134,7 +137,7 @@ SolverConvergence measure(FractionalScheme scheme, double order, const std::vect
 }
 
 Against stated_against(FractionalScheme scheme) {
-  return scheme == FractionalScheme::arms_rosenbrock ? Against::own_limit : Against::closed_form;
+  return scheme == FractionalScheme::arms_rosenbrock ? Against::kept_kernel : Against::closed_form;
 }
 
 }  // namespace ricochet::verify

@@ -15,9 +15,9 @@ struct SolverConvergence {
   std::vector<double> kernel_evaluations = {};  ///< mean a collision
 };
 
-/// What errors are taken against: the closed form, or the scheme's own limit of vanishing steps. The latter is for the
-/// arms as differential equations, whose method has its order on a kernel that is kept.
-enum class Against { closed_form, own_limit };
+/// What errors are taken against: the closed form, or the exact motion under the kernel that the scheme has. The latter
+/// is for the arms as differential equations, whose method has its order on a kernel that is kept.
+enum class Against { closed_form, kept_kernel };
 
 /// The (60) of a collision has α < 0: it is measured for −alpha, and has no overlap at the end.
 /// For the collocation N is its number of nodes, and nothing is stated but that it is exact.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -10,6 +11,19 @@ namespace ricochet::console {
 
 class ScratchFolder;
 class Passing;
+
+/// Throws what a path that cannot be written to is, by the system's error: BadInput; but a disk without room and a
+/// system without free descriptors are no fault of the user's path: CannotWrite.
+[[noreturn]] void throw_cannot_create(const std::string& path, int error);
+
+/// A file that waits to take its place.
+struct Waiting {
+  std::string shown;   ///< as the user named it, for messages
+  std::string target;  ///< links resolved
+  std::string staged;  ///< where it waits; empty: written straight through
+  std::string kept;    ///< where what the target was is, until all others have their places too
+  std::unique_ptr<Passing> passing;
+};
 
 /// A file that appears whole or not at all: written to a temporary file in the same folder, made durable (fsync) and
 /// renamed by commit(). Without commit(), on an exception, and on SIGINT, SIGTERM or SIGHUP nothing is left behind
@@ -28,13 +42,31 @@ class AtomicFile {
   void commit();
 
  private:
+  friend class Together;
   void open_temporary(bool exists, unsigned mode);
+  /// Closes the file, which is durable then; null where it is written straight through.
+  Waiting* finish();
 
-  std::string path_;       // as the user gave it, for messages
-  std::string target_;     // links resolved
-  std::string temporary_;  // empty: written straight through
-  std::unique_ptr<Passing> passing_;
+  Waiting waiting_;
   int file_ = -1;
+};
+
+/// A folder that is there, made if need be with those around it. What was made goes again at the end of the scope, and
+/// on a signal that ends the program, if nothing has come into it.
+class MadeFolder {
+ public:
+  /// Throws BadInput with the reason when it cannot be made.
+  explicit MadeFolder(std::string path);
+  ~MadeFolder();
+  MadeFolder(const MadeFolder&) = delete;
+  MadeFolder& operator=(const MadeFolder&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  std::size_t made_ = 0;  // with those around it
+  std::unique_ptr<Passing> passing_;
 };
 
 /// Files of one folder that appear together or not at all: written into a folder inside it that passes (where one is a
@@ -42,7 +74,7 @@ class AtomicFile {
 /// all others are taken back. Otherwise as AtomicFile.
 class OutputFolder {
  public:
-  /// Makes the folder if it is missing; throws BadInput with the reason when it cannot.
+  /// Throws BadInput with the reason when the folder, a MadeFolder, cannot be.
   explicit OutputFolder(std::string path);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -53,18 +85,12 @@ class OutputFolder {
   void commit();
 
  private:
-  struct File {
-    std::string shown, target, staged, kept;  // `kept`: what the target was
-    std::unique_ptr<Passing> passing;
-    int put() const noexcept;
-    void take_back() const noexcept;
-  };
-  File stage(const std::string& name, const std::string& shown, const std::string& target);
+  friend class Together;
+  Waiting stage(const std::string& name, const std::string& shown, const std::string& target);
 
-  std::string path_;
-  std::vector<std::string> made_;  // by us, the innermost first: gone again if nothing comes into them
+  MadeFolder folder_;
   std::unique_ptr<ScratchFolder> staging_;
-  std::vector<File> files_;
+  std::vector<Waiting> files_;
 };
 
 /// A file that a command line names, and the flag that does.
@@ -84,7 +110,31 @@ class Output {
   void commit();
 
  private:
+  friend class Together;
   std::unique_ptr<AtomicFile> file_;
+};
+
+/// All files that one command writes: they take their places together or not at all.
+class Together {
+ public:
+  Together();
+  ~Together();
+  Together(const Together&) = delete;
+  Together& operator=(const Together&) = delete;
+
+  // Each throws as the constructor of what it makes, which lives as long as this does.
+  OutputFolder& folder(const std::string& path);
+  AtomicFile& file(const std::string& path);
+  Output& output(const std::string& path);
+
+  /// Signals wait meanwhile. Throws CannotWrite where one cannot take its place, BadInput where two have the same; all
+  /// that was there before is there again then.
+  void commit();
+
+ private:
+  std::vector<std::unique_ptr<OutputFolder>> folders_;
+  std::vector<std::unique_ptr<AtomicFile>> files_;
+  std::vector<std::unique_ptr<Output>> outputs_;
 };
 
 /// AtomicFile, write, commit.

@@ -32,11 +32,6 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, 
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                         const std::string& description);
 
-/// Parses the command line into `app` and runs `body`. Every way out is an exit code and at most one line
-/// "<program>: …" on stderr: a wrong command line is bad input, --help and --version are done, exceptions map as
-/// exit_code() says; the library's "mass_eff = -1: must be …" is reported under the flag's name, "--mass-eff = -1".
-/// SIGPIPE and SIGXFSZ are ignored, so that a reader who leaves and a file that grows past the limit show as write
-/// errors (failed) like a full disk does.
 /// How this program was run: "./ricochet simulate" where the script did it (it says so in RICOCHET_RUN_BY), else its
 /// name.
 std::string run_as(const std::string& program);
@@ -44,6 +39,11 @@ std::string run_as(const std::string& program);
 /// A word of a command line that a POSIX shell reads as this text.
 std::string shell_word(const std::string& text);
 
+/// Parses the command line into `app` and runs `body`. Every way out is an exit code and at most one line
+/// "<program>: …" on stderr: a wrong command line is bad input, --help and --version are done, exceptions map as
+/// exit_code() says; the library's "mass_eff = -1: must be …" is reported under the flag's name, "--mass-eff = -1".
+/// SIGPIPE and SIGXFSZ are ignored, so that a reader who leaves and a file that grows past the limit show as write
+/// errors (failed) like a full disk does.
 int run_program(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body);
 
 }  // namespace ricochet::console

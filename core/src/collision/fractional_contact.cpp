@@ -123,14 +123,23 @@ double FractionalTrajectory::argument(double t) const {
   return -std::pow(t / time_scale_, 2 - alpha_);
 }
 
-double FractionalTrajectory::overlap(double t) const { return velocity_ * t * overlap_(argument(t)); }
+namespace {
 
-double FractionalTrajectory::rate(double t) const { return velocity_ * rate_(argument(t)); }
+double carried(double value, double t) {
+  support::require(std::isfinite(value), "t", t, "a time at which the motion is within the range of doubles");
+  return value;
+}
+
+}  // namespace
+
+double FractionalTrajectory::overlap(double t) const { return carried(velocity_ * t * overlap_(argument(t)), t); }
+
+double FractionalTrajectory::rate(double t) const { return carried(velocity_ * rate_(argument(t)), t); }
 
 double FractionalTrajectory::force(double t) const {
   if (alpha_ > 1) support::require_positive("t", t);
   const double s = t / time_scale_;
-  return mass_eff_ * velocity_ / time_scale_ * std::pow(s, 1 - alpha_) * force_(argument(t));
+  return carried(mass_eff_ * velocity_ / time_scale_ * std::pow(s, 1 - alpha_) * force_(argument(t)), t);
 }
 
 }  // namespace ricochet

@@ -225,7 +225,8 @@ class Growth {
         points_{std::pow(ratio_, 0.1464L), std::pow(ratio_, 0.8536L)} {
     interpolate(fit_, points_, ratio_);
     level_waves(1.02L, 8);
-    while (fit_.arms() < 3) grow(1);
+    while (fit_.arms() < 3 && grow(1)) {
+    }
   }
 
   const KernelFit& fit() const { return fit_; }

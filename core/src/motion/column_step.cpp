@@ -19,10 +19,14 @@ double at_steepest(const Law& law, double w, double mass, double speed) {
   return 1 / (w * at.damping + std::sqrt(w * at.damping * w * at.damping + w * at.stiffness));
 }
 
-// The greatest speed at which the initial velocities let two bodies meet.
-double meeting_speed(const Column& column) {
+// √(2E), E the kinetic energy at the start, where any two bodies then approach each other; else 0.
+double root_of_energy(const Column& column) {
   const auto [slowest, fastest] = std::minmax_element(column.velocity.begin(), column.velocity.end());
-  return std::max(*fastest - *slowest, -*slowest);
+  if (*fastest == *slowest && *slowest >= 0) return 0;
+  double root = 0;
+  for (std::size_t i = 0; i < column.mass.size(); ++i)
+    root = std::hypot(root, std::sqrt(column.mass[i]) * column.velocity[i]);
+  return root;
 }
 
 }  // namespace
@@ -94,7 +98,7 @@ double stable_step(collision::DrivenLaw& law, double w, double mass, double spee
 
 double least_stable_step(const Column& column, const std::function<double(bool, double, double, double)>& of_contact) {
   check(column);
-  const double speed = meeting_speed(column);
+  const double root = root_of_energy(column);
   const std::size_t beads = column.mass.size();
   const auto inverse_mass = [&](std::size_t body) { return body == 0 ? 0.0 : 1 / column.mass[body - 1]; };
   double largest = std::numeric_limits<double>::infinity();
@@ -106,7 +110,8 @@ double least_stable_step(const Column& column, const std::function<double(bool, 
     const double w = (j > 1 ? 2 : 1) * below + (j < beads ? 2 : 1) * above, mass = 1 / (below + above);
     if (j > 2 && last == std::pair(w, mass)) continue;
     last = {w, mass};
-    largest = std::min(largest, of_contact(j == 1, w, mass, speed));
+    // No contact closes with more than all the energy there is: a light bead between heavy ones may be given theirs.
+    largest = std::min(largest, of_contact(j == 1, w, mass, root / std::sqrt(mass)));
   }
   return largest;
 }

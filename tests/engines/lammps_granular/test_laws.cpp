@@ -1,4 +1,4 @@
-#include "../lammps/deck.hpp"
+#include "../lammps/meeting.hpp"
 #include "../runs/collisions.hpp"
 #include "laws.hpp"
 
@@ -65,13 +65,12 @@ void check_series(const std::string& title, const LawFor& law, const std::string
   collisions::report_and_check(title + ", " + against, restitutions, errors, title == "fractional/hertz" ? 0.9 : 1);
 }
 
-const Box box{{-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}};
-constexpr double dt = tcol / 50, speed = 0.5;
-const std::vector<Grain> meeting{{.position = {-1.53e-3, 0, 0}, .velocity = {speed / 2, 0, 0}},
-                                 {.position = {1.53e-3, 0, 0}, .velocity = {-speed / 2, 0, 0}}};
+static_assert(tcol == meeting::tcol);
+using meeting::dt, meeting::speed;
 
-double restitution_with(const std::string& name, const std::string& laws, std::vector<Grain> grains = meeting) {
-  Box types = box;
+double restitution_with(const std::string& name, const std::string& laws,
+                        const std::vector<Grain>& grains = meeting::grains) {
+  Box types = meeting::box;
   for (const Grain& grain : grains) types.types = std::max(types.types, grain.type);
   const Workplace place(name);
   REQUIRE(place.run(preamble(types) + place.create(grains, types) + neighbours() + laws + move(dt) + dump("dump", 300) +
@@ -83,7 +82,8 @@ double restitution_with(const std::string& name, const std::string& laws, std::v
 // By its parameters as by the collision that they make.
 template <class Law>
 void check_parameters(const Solid& solid) {
-  const double mass = meeting[0].mass() / 2, velocity = std::is_same_v<Law, ricochet::FractionalHertz> ? speed : 1;
+  const double mass = meeting::grains[0].mass() / 2,
+               velocity = std::is_same_v<Law, ricochet::FractionalHertz> ? speed : 1;
   const auto unit = ricochet::Reduction<Law>::unit(0.5, ricochet::ContactEnd::force, {});
   const auto law = ricochet::Reduction<Law>::in_si(unit->law, tcol, {velocity, mass});
   std::string given = solid.name;
@@ -115,7 +115,7 @@ TEST_CASE("laws of real solids given by their parameters collide as by their tar
 }
 
 TEST_CASE("laws of two types are mixed where their pair is not given: geometric means, of degrees the mean") {
-  auto grains = meeting;
+  auto grains = meeting::grains;
   grains[1].type = 2;
   const std::string style = pair_style(),
                     two = pair_coeff("1 1", target(tcol, 0.5)) + pair_coeff("2 2", target(tcol, 0.8));

@@ -1,30 +1,18 @@
-#include "../lammps/deck.hpp"
+#include "../lammps/meeting.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace engines;
+using namespace engines::meeting;
 
 namespace {
 
-constexpr double tcol = 1e-4, en = 0.5, dt = tcol / 50, speed = 0.5;
-const Box box{{-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}};
-const std::vector<Grain> meeting{{.position = {-1.53e-3, 0, 0}, .velocity = {speed / 2, 0, 0}},
-                                 {.position = {1.53e-3, 0, 0}, .velocity = {-speed / 2, 0, 0}}};
-
-std::string with(const Workplace& place, const std::string& styles, double step = dt) {
-  return preamble(box) + place.create(meeting, box) + neighbours() + styles + move(step);
-}
-
 std::string complaint(const std::string& name, const std::string& styles, double step = dt,
                       const std::string& last = run(100)) {
-  const Workplace place(name);
-  CHECK(place.run(with(place, styles, step) + last) == 1);
-  return place.output();
+  return said(name, styles, last, 1, step);
 }
 
 std::string complaint_of(const std::string& name, const std::string& law) { return complaint(name, one_law(law)); }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 const std::string good = one_law(target(tcol, en));
 
@@ -51,28 +39,12 @@ TEST_CASE("the normal and the damping model ask for each other") {
 }
 
 TEST_CASE("a step too coarse for the collisions is warned of, and refused") {
-  const auto output = [](const std::string& name, double steps) {
-    const Workplace place(name);
-    REQUIRE(place.run(with(place, good, tcol / steps) + run(60)) == 0);
-    return place.output();
-  };
+  const auto output = [](const std::string& name, double steps) { return said(name, good, run(60), 0, tcol / steps); };
   CHECK_FALSE(contains(output("steps_20", 20.01), "WARNING: granular model"));
   CHECK(contains(output("steps_19", 19),
                  "WARNING: granular model fractional/target: timestep = 5.26316e-06 leaves 19 steps"));
   CHECK(contains(complaint("steps_3", good, tcol / 3.99),
                  "timestep = 2.50627e-05: must be at most 1/4 of the shortest collision time, 0.0001"));
-}
-
-TEST_CASE("soft contacts, and contacts that lost their memory, are told of") {
-  const Workplace soft("soft");
-  REQUIRE(soft.run(with(soft, one_law(target(20 * tcol, en))) + run(500)) == 0);
-  CHECK(contains(soft.output(), "% of the smaller radius"));
-  for (const char* reset : {"reset_timestep 0\n", ""}) {
-    const Workplace place("reset");
-    REQUIRE(place.run(with(place, good) + run(70) + reset + run(10)) == 0);
-    CHECK_FALSE(contains(place.output(), "% of the smaller radius"));
-    CHECK(contains(place.output(), "reset_timestep while grains touch") == (*reset != 0));
-  }
 }
 
 TEST_CASE("a later run with another time step keeps the kernel and says so") {
@@ -81,16 +53,6 @@ TEST_CASE("a later run with another time step keeps the kernel and says so") {
   CHECK(contains(place.output(), "keeps the memory kernel chosen for the first run's time step"));
   const auto v = place.frames("dump").back().velocity;
   CHECK((v[1][0] - v[0][0]) / speed == Approx(en).epsilon(2e-3));
-}
-
-TEST_CASE("minimisation and steps within steps are refused") {
-  const auto touching = [](const std::string& name, const std::string& last) {
-    const Workplace place(name);
-    CHECK(place.run(with(place, good) + run(70) + last) == 1);
-    return place.output();
-  };
-  CHECK(contains(touching("minimize", "minimize 0 1e-3 10 10\n"), "minimize knows no time"));
-  CHECK(contains(touching("respa", "run_style respa 2 2 pair 1\n" + run(10)), "run_style respa"));
 }
 
 TEST_CASE("after `clear` the sub-models and the compute are there again") {

@@ -2,14 +2,6 @@
 
 namespace engines {
 
-std::string engine_command(int ranks) {
-  std::string command;
-  if (ranks > 1) command = RICOCHET_MPIEXEC " --allow-run-as-root --oversubscribe -np " + std::to_string(ranks) + " ";
-  return command + RICOCHET_LAMMPS_DRIVER " -in in.deck";
-}
-
-std::filesystem::path runs_folder() { return RICOCHET_LAMMPS_RUNS; }
-
 std::string target(double tcol, double en) { return "target " + number(tcol) + " " + number(en); }
 
 std::string parameters(double k, double c, double alpha) { return number(k) + " " + number(c) + " " + number(alpha); }

@@ -1,20 +1,11 @@
-#include "../lammps/deck.hpp"
+#include "../lammps/meeting.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace engines;
+using namespace engines::meeting;
 
 namespace {
-
-constexpr double tcol = 1e-4, en = 0.5, dt = tcol / 50, speed = 0.5;
-const Box box{{-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}};
-
-const std::vector<Grain> meeting{{.position = {-1.53e-3, 0, 0}, .velocity = {speed / 2, 0, 0}},
-                                 {.position = {1.53e-3, 0, 0}, .velocity = {-speed / 2, 0, 0}}};
-
-std::string with(const Workplace& place, const std::string& styles, double step = dt) {
-  return preamble(box) + place.create(meeting, box) + neighbours() + styles + move(step);
-}
 
 std::string with_law(const std::string& law) { return "pair_style fractional\npair_coeff * * " + law + "\n"; }
 
@@ -30,8 +21,6 @@ std::string complaint(const std::string& name, const std::string& styles, double
   CHECK(place.run(deck + run(10)) == 1);
   return place.output();
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
@@ -52,21 +41,11 @@ TEST_CASE("misuse of the styles is refused with the name and the value") {
   CHECK(contains(complaint("rigid", good + "fix clump all rigid single\n"), "rigid bodies are not known"));
 }
 
-TEST_CASE("minimisation and steps within steps are refused") {
-  const auto going_on = [](const std::string& name, const std::string& last) {
-    const Workplace place(name);
-    CHECK(place.run(with(place, with_law(target(tcol, en))) + run(70) + last) == 1);
-    return place.output();
-  };
-  CHECK(contains(going_on("minimize", "minimize 0 1e-3 10 10\n"), "minimize knows no time"));
-  CHECK(contains(going_on("respa", "run_style respa 2 2 pair 1\n" + run(10)), "run_style respa"));
-}
-
 TEST_CASE("laws of two types are not mixed") {
   Box two = box;
   two.types = 2;
   const Workplace place("mixed");
-  CHECK(place.run(preamble(two) + place.create(meeting, two) + neighbours() + "pair_style fractional\npair_coeff 1 1 " +
+  CHECK(place.run(preamble(two) + place.create(grains, two) + neighbours() + "pair_style fractional\npair_coeff 1 1 " +
                   target(tcol, en) + "\npair_coeff 2 2 " + target(tcol, en) + "\n" + move(dt) + run(1)) == 1);
   CHECK(contains(place.output(), "pair_coeff 1 2 is missing"));
 }
@@ -79,25 +58,11 @@ TEST_CASE("what the style has not is said at its start") {
 
 TEST_CASE("a step too coarse for the collisions is warned of, and refused") {
   const auto output = [](const std::string& name, double steps) {
-    const Workplace place(name);
-    REQUIRE(place.run(with(place, with_law(target(tcol, en)), tcol / steps) + run(10)) == 0);
-    return place.output();
+    return said(name, with_law(target(tcol, en)), run(10), 0, tcol / steps);
   };
   CHECK_FALSE(contains(output("steps_20", 20.01), "WARNING: pair fractional"));
   CHECK(contains(output("steps_19", 19), "WARNING: pair fractional: timestep = 5.26316e-06 leaves 19 steps"));
   CHECK(contains(complaint("steps_3", with_law(target(tcol, en)), tcol / 3.99), "must be at most 1/4"));
-}
-
-TEST_CASE("soft contacts, and contacts that lost their memory, are told of") {
-  const Workplace soft("soft");
-  REQUIRE(soft.run(with(soft, with_law(target(20 * tcol, en))) + run(500)) == 0);
-  CHECK(contains(soft.output(), "% of the smaller radius"));
-  for (const char* reset : {"reset_timestep 0\n", ""}) {
-    const Workplace place("reset");
-    REQUIRE(place.run(with(place, with_law(target(tcol, en))) + run(70) + reset + run(10)) == 0);
-    CHECK_FALSE(contains(place.output(), "% of the smaller radius"));
-    CHECK(contains(place.output(), "reset_timestep while grains touch") == (*reset != 0));
-  }
 }
 
 TEST_CASE("a later run with another time step keeps the kernel and says so") {

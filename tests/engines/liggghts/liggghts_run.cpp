@@ -5,13 +5,6 @@
 
 namespace engines {
 
-std::string engine_command(int ranks) {
-  const std::string mpi = RICOCHET_MPIEXEC " --allow-run-as-root --oversubscribe -np " + std::to_string(ranks) + " ";
-  return (ranks > 1 ? mpi : "") + RICOCHET_LIGGGHTS_DRIVER " -in in.deck";
-}
-
-std::filesystem::path runs_folder() { return RICOCHET_ENGINE_RUNS; }
-
 std::vector<Model> our_models() {
   const std::string scalar = "fix velocity all property/global characteristicVelocity scalar 0.5\n";
   return {{"fractional", ""}, {"fractional-kelvin-voigt", ""}, {"fractional-hertz", scalar}, {"fractional-zener", ""}};

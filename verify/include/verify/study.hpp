@@ -58,6 +58,10 @@ class Study {
   /// What it reads besides its own data, as the options name it.
   virtual std::vector<console::NamedFile> inputs() const { return {}; }
   virtual StudyResult run(const RunOptions& options) = 0;
+  /// What its options let it write, besides its figures and its answer.
+  virtual std::vector<console::NamedFile> outputs() const { return {}; }
+  /// After run(): puts those outputs among the files that take their places with the answer.
+  virtual void write(console::Together&) const {}
 };
 
 /// Folder of the data files: beside the sources when run from the build tree, share/ricochet/data when installed.

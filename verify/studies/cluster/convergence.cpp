@@ -142,7 +142,8 @@ void convergence_gates(std::vector<Gate>& gates, const std::vector<Convergence>&
   for (const Convergence& c : all) {
     const std::string at = fmt::format(", alpha = {}", c.alpha);
     gates.push_back(between("order of the velocities" + at, c.velocity.order, c.velocity.low, c.velocity.high));
-    gates.push_back(between("order of the energy balance" + at, c.energy.order, c.energy.low, c.energy.high));
+    gates.push_back(
+        between("order of the energy balance, 2 - alpha to 2" + at, c.energy.order, c.energy.low, c.energy.high));
   }
 }
 

@@ -53,7 +53,7 @@ class FractionalTrajectory {
   /// is no normal double.
   FractionalTrajectory(double coefficient, double alpha, double mass_eff, double velocity);
 
-  // At t [s] ≥ 0 after t_b, A t^{2−α} ≤ 1e6; throws std::invalid_argument otherwise. Error: that of mittag_leffler.
+  // At t [s] ≥ 0, A t^{2−α} ≤ 1e6, where it is a double; else throws std::invalid_argument. Error: mittag_leffler's.
   double overlap(double t) const;  ///< ζ [m]
   double rate(double t) const;     ///< ζ' [m/s]
   double force(double t) const;    ///< R [N], signed; for α > 1 it is infinite at t = 0, which throws

@@ -46,8 +46,8 @@ enum class ColumnEnd {
   resting,      ///< the same, but some bodies that still overlap do not move apart (static contact)
   out_of_time,  ///< `duration` was reached before either; always so under gravity
   broke_down  ///< a velocity or overlap is no longer finite, or the beads ended with more kinetic energy than they had
-              ///< by
-  ///< over a tenth, which no law of the model can give: a smaller step is needed. Only `steps` is then filled in
+              ///< by over a tenth, which no law of the model can give: a smaller step is needed. Only `steps` is then
+              ///< filled in
 };
 
 /// Kinetic + stored + dissipated + potential [J] is constant up to the scheme's order. What a contact still stores
@@ -71,10 +71,10 @@ struct ColumnResult {
 /// The largest step that the scheme bears [s]: h·g(h)·Σ ≤ 1/2 in every contact, with g the rise of the step's mean
 /// force with the rate (kh/2 + c; fractional: c^α k^{1−α} h^{1−α}/Γ(3−α)) and Σ the inverse masses that its force and
 /// its neighbours' act through. Where g depends on the overlap (Kuwabara-Kono, Tsuji) it is taken at the greatest one
-/// of a binary collision at the greatest speed that the initial velocities let two bodies meet with; of a law of your
-/// own, whose slopes nobody has written down, it is the greatest that `mean_force` shows along that collision (at a
-/// speed of 1e-9 m/s at least). A single bead on a spring: t_col/π. Throws std::invalid_argument for a Column that
-/// `run_column` refuses. Derivation: docs/theory/column.md.
+/// of a binary collision with all the kinetic energy of the start, which heavy beads may put into a light one between
+/// them; what gravity adds is not in it. Of a law of your own it is the greatest that `mean_force` shows along that
+/// collision (at 1e-9 m/s at least). A single bead on a spring: t_col/π. Throws std::invalid_argument for a Column
+/// that `run_column` refuses. Derivation: docs/theory/column.md.
 template <ContactLaw Law>
 double largest_step(const Column& column, const Law& plate, const Law& pair);
 double largest_step(const Column& column, const AnyLaw& plate, const AnyLaw& pair);
