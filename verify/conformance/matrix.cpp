@@ -28,7 +28,7 @@ std::string row(const std::vector<EngineGrade>& engines, std::size_t which) {
     const CaseGrade& c = e.cases[which];
     html +=
         fmt::format("<td class=\"{}\" title=\"{}: {}{}{}\">{}</td>", colour_class(c.verdict), escaped(label(e.results)),
-                    text(c.verdict), why(c).empty() ? "" : ": ", escaped(why(c)), sign_of(c));
+                    text(c.verdict), why(c).empty() ? "" : ": ", escaped(why(c)), console::html_text(sign_of(c)));
   }
   return html + "</tr>\n";
 }
@@ -42,10 +42,11 @@ const char* const matrix_style = R"css(
 --wander:#6d2a10;--coarse:#2d3138}}
 .exact{background:var(--exact)}.right{background:var(--right)}.rule{background:var(--rule)}
 .else{background:var(--else)}.wander{background:var(--wander)}.coarse{background:var(--coarse)}
-.matrix td{text-align:center;padding:.22rem .3rem;border-left:1px solid var(--line)}
+.matrix{font-size:.8rem}
+.matrix td{text-align:center;padding:.22rem .15rem;border-left:1px solid var(--line)}
 .matrix tbody th{padding:.22rem .6rem;white-space:nowrap}
 .matrix .family th{background:var(--mark);font-weight:600}
-.turned{vertical-align:bottom;padding:.4rem .2rem}
+.turned{vertical-align:bottom;padding:.4rem .1rem;min-width:3.4rem;text-align:center}
 .turned a{writing-mode:vertical-rl;transform:rotate(180deg);max-height:15rem;display:inline-block;line-height:1.2;
   font-weight:500}
 .sign{display:inline-block;min-width:3.2rem;text-align:center;padding:0 .4rem;border-radius:.2rem;margin-right:.5rem}

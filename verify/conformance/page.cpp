@@ -182,7 +182,6 @@ std::string sources(const EngineGrade& e) {
 Table counts(const std::vector<EngineGrade>& engines) {
   Table table({{"no"},
                {"engine"},
-               {"run on"},
                {"exact"},
                {"converges"},
                {"coarse"},
@@ -192,8 +191,7 @@ Table counts(const std::vector<EngineGrade>& engines) {
                {"not run"}},
               "Engines, by the number of cases");
   for (const EngineGrade& e : engines) {
-    std::vector<console::Cell> cells{static_cast<std::int64_t>(table.rows().size() + 1), label(e.results),
-                                     e.results.date};
+    std::vector<console::Cell> cells{static_cast<std::int64_t>(table.rows().size() + 1), label(e.results)};
     for (const Verdict v : verdicts) cells.push_back(static_cast<std::int64_t>(e.count(v)));
     table.row(cells);
   }
