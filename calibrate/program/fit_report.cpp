@@ -268,7 +268,7 @@ std::string page_of(const FitReport& report, const std::string& command) {
   const auto figure = figure_of(report.fits, report.data);
   return page_of(*report.run, {.command = command,
                                .heading = "Contact laws by " + report.run->job.title,
-                               .figure = console::html_figure(figure, console::svg_of(figure), {}),
+                               .figure = console::html_figure(figure, console::pictures_of(figure), {}),
                                .section = html});
 }
 

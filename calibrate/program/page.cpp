@@ -138,7 +138,7 @@ console::Figure step_figure(const std::vector<Stepped>& all) {
   console::Figure figure{
       .name = "steps",
       .caption = "Greatest error of e_n against the number of time steps a collision, as engines step it.",
-      .script = console::script_of(console::with_key_below(panel, rows, 0.15 + 0.045 * rows)),
+      .plot = console::with_key_below(panel, rows, 0.15 + 0.045 * rows),
       .data = {file.data()},
       .width = 960,
       .height = 560};
@@ -173,7 +173,9 @@ struct Section {
   std::string id, title, html;
 };
 
-std::string drawn(const console::Figure& figure) { return console::html_figure(figure, console::svg_of(figure), {}); }
+std::string drawn(const console::Figure& figure) {
+  return console::html_figure(figure, console::pictures_of(figure), {});
+}
 
 std::string parameters_of(const Report& report) {
   std::string html;

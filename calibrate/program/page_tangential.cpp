@@ -101,7 +101,7 @@ console::Figure figure_of(const Report& report) {
                                       [](const ObliqueRebound& a, const ObliqueRebound& b) { return a.et < b.et; });
   return {.name = "oblique",
           .caption = "Tangential restitution of the centre against the angle of impact, without spin before it.",
-          .script = console::script_of(plot),
+          .plot = plot,
           .data = {laws.data(), inputs.data()},
           .width = 1000,
           .height = height + key,
@@ -141,7 +141,7 @@ std::string oblique_section(const Report& report) {
       "<p>{}</p>\n{}{}",
       console::html_text("At the same speed along the normal; on the right the first law with other inputs. With beta0 "
                          "held, e_t does not know t_col, mu and e_n show where it slides."),
-      console::html_figure(figure, console::svg_of(figure), {}),
+      console::html_figure(figure, console::pictures_of(figure), {}),
       console::html_table(sensitivity_table(report), {.id = "oblique-sensitivities", .shown = 40}));
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t wide_cell = 36;  ///< characters from which on a column may wrap
 
-/// The SVG as an address of its own. Only what would end the attribute or the address is encoded: it stays readable.
+/// The SVG as an address of its own. Only what would end the attribute or the address is encoded, and space, which ends
+/// one of several addresses: it stays readable.
 std::string as_address(const std::string& svg) {
   std::string address = "data:image/svg+xml;charset=utf-8,";
   for (const char c : svg) switch (c) {
@@ -23,7 +24,8 @@ std::string as_address(const std::string& svg) {
       case '>': address += "%3E"; break;
       case '&': address += "%26"; break;
       case '\n': address += "%0A"; break;
-      case '\t': address += ' '; break;
+      case ' ':
+      case '\t': address += "%20"; break;
       default: address += c;
     }
   return address;
@@ -140,19 +142,18 @@ std::string html_table(const Table& table, const TableView& view) {
   return html;
 }
 
-std::string html_figure(const Figure& figure, const std::string& svg, const std::vector<HtmlLink>& links) {
+std::string html_figure(const Figure& figure, const Pictures& pictures, const std::vector<HtmlLink>& links) {
   const std::string finding = figure.finding.empty() ? figure.caption : figure.finding;
   const std::string source = links.empty() ? "" : fmt::format(R"(<br><span class="soft">{}</span>)", linked(links));
-  return fmt::format(
-      R"(<figure><div class="picture" tabindex="0" role="group" aria-label="{name}"><img src="{address}")"
-      R"( width="{width}" height="{height}" alt="{finding}"></div>
+  return fmt::format(R"html(<figure><picture><source media="(max-width:40rem)" srcset="{narrow}">)html"
+                     R"(<img src="{wide}" width="{width}" height="{height}" alt="{finding}"></picture>
 <figcaption>{caption}{said}{source}</figcaption></figure>
 )",
-      fmt::arg("name", escaped(fmt::format("Picture {}", figure.name))), fmt::arg("address", as_address(svg)),
-      fmt::arg("width", figure.width), fmt::arg("height", figure.height), fmt::arg("finding", escaped(finding)),
-      fmt::arg("caption", html_text(figure.caption)),
-      fmt::arg("said", figure.finding.empty() ? "" : fmt::format(" {}", html_text(figure.finding))),
-      fmt::arg("source", source));
+                     fmt::arg("narrow", as_address(pictures.narrow)), fmt::arg("wide", as_address(pictures.wide)),
+                     fmt::arg("width", figure.width), fmt::arg("height", figure.height),
+                     fmt::arg("finding", escaped(finding)), fmt::arg("caption", html_text(figure.caption)),
+                     fmt::arg("said", figure.finding.empty() ? "" : fmt::format(" {}", html_text(figure.finding))),
+                     fmt::arg("source", source));
 }
 
 std::string html_contents(const std::vector<HtmlLink>& links) {

@@ -69,8 +69,8 @@ td,th.n{white-space:nowrap}
 details{margin:.5rem 0}
 summary{cursor:pointer;color:var(--link);padding:.2rem 0}
 figure{margin:1.6rem 0}
-figure img{display:block;width:100%;min-width:36rem;height:auto}
-.picture{overflow-x:auto;background:var(--sheet);border:1px solid var(--line);border-radius:.3rem;padding:.5rem}
+figure img{display:block;width:100%;height:auto}
+figure picture{display:block;background:var(--sheet);border:1px solid var(--line);border-radius:.3rem;padding:.5rem}
 figcaption{font-size:.93rem;margin-top:.5rem;max-width:46rem}
 .code{position:relative;margin:.6rem 0 1.2rem}
 pre{margin:0;padding:.9rem 1rem;overflow:auto;max-height:32rem;background:var(--sheet);border:1px solid var(--line);
@@ -81,11 +81,12 @@ button{font:inherit;font-size:.88rem;padding:.25rem .9rem;color:var(--ink);backg
   border:1px solid var(--soft);
 border-radius:.3rem;cursor:pointer;white-space:nowrap;min-width:5.2rem}
 td button{margin-left:.4rem;padding:0 .3rem;min-width:3.9rem}
+@media (max-width:40rem){figure img{max-width:30rem;margin:0 auto}}
 @media (max-width:30rem){.facts{grid-template-columns:1fr}.facts dt{margin-top:.4rem}}
 @media print{:root{color-scheme:light;--ground:#fff;--sheet:#fff;--ink:#000;--soft:#444;--line:#bbb;--link:#000;
   --pass:#000;--fail:#000;--mark:#eee}
 html{font-size:10pt}.skip,button,nav{display:none}figure,tr{break-inside:avoid}h2,h3,caption{break-after:avoid}
-.scroll,.picture,pre{overflow:visible;max-height:none}pre{white-space:pre-wrap}figure img{min-width:0}}
+.scroll,pre{overflow:visible;max-height:none}pre{white-space:pre-wrap}}
 )css";
 
 /// Copying: without permission to use the clipboard the text is selected and can be copied by hand. A link to what is

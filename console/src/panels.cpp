@@ -84,8 +84,7 @@ Figure collision_panels(const std::string& name, const std::string& caption, con
                                    .between_columns = 0.11,
                                    .between_rows = 0.13},
                   .key_panel = "at graph 0.06,0.98 left top font ',13' spacing 1.1 samplen 3 maxcols 1"};
-  return {
-      .name = name, .caption = caption, .script = script_of(plot), .data = {file.data()}, .width = 960, .height = 680};
+  return {.name = name, .caption = caption, .plot = plot, .data = {file.data()}, .width = 960, .height = 680};
 }
 
 }  // namespace ricochet::console

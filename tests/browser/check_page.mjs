@@ -1,6 +1,6 @@
 // Opens a page in headless Chromium and holds it against what the reports promise:
 //   node check_page.mjs PAGE.html MODULES [SHOTS]
-// no error in the console, no request to any network, every picture there, every link leading
+// no error in the console, no request to any network, every picture there and legible on a phone, every link leading
 // somewhere and opening what is folded there, nothing wider than the window from 320 to 3840 pixels, an order of focus
 // that follows the page, and no finding of axe-core in light or dark.
 // MODULES holds node_modules; SHOTS, if given, receives screenshots.
@@ -40,6 +40,23 @@ async function check_pictures(page) {
   const missing = await page.$$eval('img', images => images
     .filter(i => !i.complete || i.naturalWidth === 0 || !i.alt).map(i => i.alt || i.src.slice(0, 80)));
   for (const alt of missing) report('picture missing or without alternative text', alt);
+}
+
+/// On a phone each figure has a picture of its own, whose letters are not much smaller than they were drawn.
+async function check_phone(page, scheme) {
+  await page.setViewportSize({width: 390, height: 844});
+  const small = await page.evaluate(async () => {
+    const found = [];
+    for (const image of document.querySelectorAll('figure img')) {
+      await image.decode();
+      const [, width] = /viewBox="0 0 (\d+)/.exec(decodeURIComponent(image.currentSrc)) ?? [];
+      const scale = image.clientWidth / Number(width);
+      if (image.currentSrc === image.src || !(scale >= 0.75))
+        found.push(`${image.alt.slice(0, 60)}: ${scale.toFixed(2)}`);
+    }
+    return found;
+  });
+  for (const picture of small) report(`picture on a phone, ${scheme}`, picture);
 }
 
 /// A link to what is folded opens it.
@@ -114,6 +131,7 @@ try {
       await check_copying(page);
       await check_folds(page);
     }
+    await check_phone(page, scheme);
     for (const width of [320, 390, 768, 1440, 3840]) {
       await page.setViewportSize({width, height: width > 2000 ? 2160 : 900});
       const wide = await page.evaluate(

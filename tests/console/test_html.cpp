@@ -53,15 +53,24 @@ TEST_CASE("a table in a page has a caption, headers with units, and hides what i
 }
 
 TEST_CASE("a figure in a page carries its picture and says its finding") {
-  const Figure figure{.name = "line", .caption = "A line.", .script = "plot x", .data = {}, .finding = "It rises."};
-  const std::string svg = svg_of(figure);
+  const Figure figure{.name = "line",
+                      .caption = "A line.",
+                      .plot = {.panels = {{.curves = {{.what = "x", .style = "lines"}}}}},
+                      .finding = "It rises."};
+  const Pictures pictures = pictures_of(figure);
+  const std::string& svg = pictures.wide;
   CHECK(svg.find("<title>A line.</title>") != std::string::npos);
   CHECK(svg.find("<desc>It rises.</desc>") != std::string::npos);
   CHECK(svg.find("prefers-color-scheme:dark") != std::string::npos);
-  const std::string html = html_figure(figure, svg, {});
+  const std::string html = html_figure(figure, pictures, {});
   CHECK(html.find("alt=\"It rises.\"") != std::string::npos);
   CHECK(html.find("src=\"data:image/svg+xml") != std::string::npos);
   CHECK(html.find("<svg") == std::string::npos);
+  // A list of addresses ends each at a space.
+  const auto narrow = html.find("<source media=\"(max-width:40rem)\" srcset=\"data:image/svg+xml"),
+             end = html.find("\">", narrow);
+  REQUIRE(narrow != std::string::npos);
+  CHECK(html.find(' ', html.find("srcset=", narrow)) > end);
 }
 
 TEST_CASE("a cell can be HTML of its own, its neighbours stay text, and code has a button that copies it") {

@@ -41,8 +41,9 @@ struct TableView {
 /// focused, so that the page never scrolls sideways. Notes follow.
 std::string html_table(const Table& table, const TableView& view);
 
-/// A picture that carries its SVG in itself, with the figure's finding as its alternative text, a caption and links.
-std::string html_figure(const Figure& figure, const std::string& svg, const std::vector<HtmlLink>& links);
+/// A picture that carries its SVG in itself, on a phone that of one panel below another, with the figure's finding as
+/// its alternative text, a caption and links.
+std::string html_figure(const Figure& figure, const Pictures& pictures, const std::vector<HtmlLink>& links);
 
 /// The way into a page, beside it where there is room, from elements of class "beside"; its id is "contents".
 std::string html_contents(const std::vector<HtmlLink>& links);
