@@ -5,6 +5,7 @@
 #include <ricochet/support/require.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -71,6 +72,27 @@ std::vector<std::size_t> walls_of(const ContactSet& set) {
 
 std::string suffix_of(const ContactSet& set, std::size_t kind) {
   return walls_of(set).size() == 1 ? "" : "_" + set.kinds[kind].name;
+}
+
+WallPlane plane_of(const ContactSet& set, std::size_t kind) {
+  constexpr std::array axes{'z', 'x', 'y'};
+  const std::vector<std::size_t> walls = walls_of(set);
+  const auto place = std::find(walls.begin(), walls.end(), kind) - walls.begin();
+  const int further = static_cast<int>(place) / static_cast<int>(axes.size());
+  return {axes[static_cast<std::size_t>(place) % axes.size()], further, further > 0};
+}
+
+std::string where_walls_are(const ContactSet& set) {
+  std::vector<std::string> places;
+  for (const std::size_t wall : walls_of(set)) {
+    const WallPlane plane = plane_of(set, wall);
+    places.push_back(
+        fmt::format("ricochet_wall{} is the plane {} = {}", suffix_of(set, wall), plane.axis, plane.place));
+  }
+  if (places.empty()) return "";
+  const bool one = places.size() == 1;
+  return fmt::format("Set {} to where the {} before you include this file; without, {}.",
+                     one ? "the variable" : "these variables", one ? "wall is" : "walls are", fmt::join(places, ", "));
 }
 
 std::optional<std::vector<double>> in_series(const ContactSet& set,

@@ -55,6 +55,18 @@ std::vector<std::size_t> walls_of(const ContactSet& set);
 /// "" of the only kind of wall, "_steel" where there are several.
 std::string suffix_of(const ContactSet& set, std::size_t kind);
 
+/// A plane that is a kind of wall until the deck says where it is.
+struct WallPlane {
+  char axis = 'z';     ///< across the plane
+  int place = 0;       ///< on that axis [m]
+  bool above = false;  ///< the grains are below it
+};
+/// The first kind at z = 0, the next ones at x = 0 and y = 0, then a metre further: never two in one place, where each
+/// would push the same grains.
+WallPlane plane_of(const ContactSet& set, std::size_t kind);
+/// "Set the variable to where the wall is … without, ricochet_wall is the plane z = 0."; "" without walls.
+std::string where_walls_are(const ContactSet& set);
+
 /// Two things in series, x_i + x_j = 1/value(pair): what each kind contributes, 1/(2 value) of a pair of its own, and
 /// for a wall what the first grain's contact with it leaves. nullopt where no such numbers >= 0 give every pair's value
 /// to 1e-9. A wall that gives way by less than 1e-9 of the grain counts as rigid, 0.

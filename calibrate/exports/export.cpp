@@ -4,6 +4,7 @@
 #include <calibrate/materials.hpp>
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/support/require.hpp>
+#include <run_watch.hpp>
 
 #include <algorithm>
 #include <array>
@@ -181,22 +182,26 @@ void tell_other_end(const Language& in, const ContactSet& set, Body& body, Snipp
 /// Steps of one pair: the time that they divide, and the error of e_n that each number of them leaves.
 struct PairSteps {
   double tcol = 0;
-  std::vector<StepError> errors;
+  Stepping stepping = Stepping::half_step;
+  std::vector<StepError> errors = {};
+  double asked = 0;  ///< the error that the step asked for leaves
 };
 
 /// As the engine steps the pair, towards what its law gives.
 PairSteps steps_of(const ContactSet& set, const PairCase& pair, const Collision& gives) {
   const ContactEnd end = gives.status == CollisionStatus::ended_by_force ? ContactEnd::force : ContactEnd::overlap;
-  const bool located = is_located(pair.law, end);
-  return {end == set.end ? pair.tcol : gives.tcol, step_errors(pair.law, end, {gives.tcol, gives.en, pair.impact},
-                                                               located ? Stepping::located : Stepping::half_step)};
+  const Target target{gives.tcol, gives.en, pair.impact};
+  PairSteps steps{end == set.end ? pair.tcol : gives.tcol, stepping_of(pair.law, end)};
+  steps.errors = step_errors(pair.law, end, target, steps.stepping);
+  if (set.step) steps.asked = step_error(pair.law, end, target, steps.tcol / *set.step, steps.stepping);
+  return steps;
 }
 
 /// The longest step that keeps the e_n of every pair to `bound`; nullopt where there is none.
 std::optional<double> step_for(const std::vector<PairSteps>& pairs, double bound) {
   std::optional<double> least;
   for (const PairSteps& pair : pairs) {
-    const auto steps = steps_for(pair.errors, bound);
+    const auto steps = steps_for(pair.errors, bound, pair.stepping);
     if (!steps) return std::nullopt;
     least = std::min(least.value_or(pair.tcol), pair.tcol / *steps);
   }
@@ -233,36 +238,66 @@ std::vector<std::string> never_parting(const ContactSet& set, ContactEnd end) {
   return sentences;
 }
 
-/// The time step as comment and command.
-void append_step(const Language& in, const ContactSet& set, const Body& body, Snippet& snippet) {
-  std::vector<PairSteps> pairs;
-  for (std::size_t i = 0; i < set.pairs.size(); ++i) pairs.push_back(steps_of(set, set.pairs[i], snippet.gives[i]));
+/// How the engine steps every pair and other size.
+std::vector<PairSteps> all_steps(const ContactSet& set, const Body& body, const Snippet& snippet) {
+  std::vector<PairSteps> all;
+  for (std::size_t i = 0; i < set.pairs.size(); ++i) all.push_back(steps_of(set, set.pairs[i], snippet.gives[i]));
   for (const PairCase& other : set.other_sizes) {
     const Collision gives = collide(other.law, other.impact, {.end = end_in(set, body)});
-    if (gives.separated()) pairs.push_back(steps_of(set, other, gives));
+    if (gives.separated()) all.push_back(steps_of(set, other, gives));
   }
-  // As a share of the collision time where there is only one.
-  const bool one = std::all_of(pairs.begin(), pairs.end(), [&](const PairSteps& p) { return p.tcol == pairs[0].tcol; });
+  return all;
+}
+
+/// "1e-06 s (tcol/100)": as a share of the collision time where there is only one.
+std::string in_words(const std::vector<PairSteps>& pairs, double step) {
+  const double tcol = pairs.front().tcol;
+  const bool one = std::all_of(pairs.begin(), pairs.end(), [&](const PairSteps& p) { return p.tcol == tcol; });
+  return one ? fmt::format("{} s (tcol/{})", shortest(step), rounded(tcol / step)) : shortest(step) + " s";
+}
+
+/// What the step that was asked for does to the pair that it suits least.
+std::string asked_in_words(const Language& in, const std::vector<PairSteps>& pairs, double step) {
+  const auto worst = std::max_element(pairs.begin(), pairs.end(),
+                                      [](const PairSteps& a, const PairSteps& b) { return a.asked < b.asked; });
+  const std::string off = std::isfinite(worst->asked)
+                              ? fmt::format("is up to {} % off", support::significant(100 * worst->asked, 2))
+                              : "is lost, the contact does not end";
+  std::string text = fmt::format("{}, as asked: the restitution {}", in_words(pairs, step), off);
+  using half_step::RunWatch;
+  if (worst->stepping == Stepping::located && worst->tcol / step * (1 + RunWatch::known_to) < RunWatch::advised_steps)
+    text += fmt::format(" ({} warns of fewer than {} steps in a collision and refuses fewer than {})", in.driver,
+                        RunWatch::advised_steps, RunWatch::least_steps);
+  return text;
+}
+
+/// The time step as comment and command: the one that was asked for, else the one for the least of step_bounds.
+void append_step(const Language& in, const ContactSet& set, const Body& body, Snippet& snippet) {
+  const std::vector<PairSteps> pairs = all_steps(set, body, snippet);
   std::string told;
   std::optional<double> finest;
   for (const double bound : step_bounds)
     if (const auto step = step_for(pairs, bound)) {
-      told += fmt::format("{}{} s{}{} to {} %", finest ? ", " : "", shortest(*step),
-                          one ? fmt::format(" (tcol/{})", rounded(pairs[0].tcol / *step)) : "",
-                          finest ? "" : " keeps the restitution", shortest(100 * bound));
+      told += fmt::format("{}{}{} to {} %", finest ? ", " : "", in_words(pairs, *step),
+                          finest     ? ""
+                          : set.step ? " keeps it"
+                                     : " keeps the restitution",
+                          shortest(100 * bound));
       finest = step;
     }
-  if (!finest) return;
-  append_comment(snippet.text, in.comment,
-                 fmt::format("Time step: {}, wherever in a step the first touch falls.", told));
+  if (!finest && !set.step) return;
+  if (finest) told += ", wherever in a step the first touch falls";
+  if (set.step) told = asked_in_words(in, pairs, *set.step) + (finest ? "; " : "") + told;
+  append_comment(snippet.text, in.comment, fmt::format("Time step: {}.", told));
   if (body.divided_time)
     append_comment(snippet.text, in.comment,
                    fmt::format("That is by its default, DES_INTG_METHOD = 'EULER', which was read, not run. The engine "
                                "divides what it takes for the collision time, {} s, by the factor; versions without "
                                "that keyword always divide by 50.",
                                rounded(*body.divided_time)));
-  const double told_step = body.divided_time ? divisor(*body.divided_time, *finest) : *finest;
-  snippet.text += fmt::format("{}{}{}\n", in.step_before, shortest(told_step), in.step_behind);
+  const double step = set.step ? *set.step : *finest;
+  snippet.text += fmt::format("{}{}{}\n", in.step_before,
+                              shortest(body.divided_time ? divisor(*body.divided_time, step) : step), in.step_behind);
 }
 
 }  // namespace

@@ -99,8 +99,12 @@ struct Lammps {
   /// Where the walls are, and the grains that meet them.
   std::string places() const {
     std::string text;
-    for (const std::size_t wall : walls_of(set))
-      text += fmt::format("variable ricochet_wall{} index \"zplane 0.0 NULL\"\n", suffix_of(set, wall));
+    for (const std::size_t wall : walls_of(set)) {
+      const WallPlane plane = plane_of(set, wall);
+      const std::string at = fmt::format("{}.0", plane.place);
+      text += fmt::format("variable ricochet_wall{} index \"{}plane {}\"\n", suffix_of(set, wall), plane.axis,
+                          plane.above ? "NULL " + at : at + " NULL");
+    }
     for (std::size_t i = 0; !walls_of(set).empty() && !one_grain() && i < set.kinds.size(); ++i)
       if (!set.kinds[i].wall) text += fmt::format("group {} type {}\n", group_of(i), i + 1);
     return text;
@@ -125,7 +129,7 @@ struct Lammps {
       if (!set.kinds[i].wall) text += fmt::format("{}type {} is {}", i ? ", " : "Atom ", i + 1, set.kinds[i].name);
     if (!text.empty()) text += ". ";
     if (!walls_of(set).empty()) {
-      text += "A variable that is set before keeps its value: set ricochet_wall as you need it. ";
+      text += where_walls_are(set) + " ";
       if (!one_grain())
         text += "A group holds the grains that there are: include after they are made, and pour into these groups. ";
     }

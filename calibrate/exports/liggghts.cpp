@@ -37,9 +37,7 @@ struct Liggghts {
     for (std::size_t i = 0; types > 1 && i < types; ++i)
       text += fmt::format(" {} {}{}", i + 1, set.kinds[i].name, i + 1 < types ? "," : ". ");
     if (!walls_of(set).empty())
-      text +=
-          "A variable that is set before keeps its value: set ricochet_wall as you need it, also to mesh n_meshes "
-          "1 meshes NAME. ";
+      text += fmt::format("{} Meshes are mesh n_meshes 1 meshes NAME there. ", where_walls_are(set));
     text += "Needs atom_style granular, newton off and communicate single vel yes.";
     return text + (frictional(set) ? "" : " tangential off has no friction; put your model in its place.");
   }
@@ -51,6 +49,9 @@ struct Liggghts {
   const char* damping() const { return damped_tangentially(set) ? "tangential_damping on" : "tangential_damping off"; }
   std::string k_t() const {
     return matrix("kt", [this](const PairCase& p) { return frictional(set) ? sliding_of(p).k_t : 0; });
+  }
+  std::string c_t() const {
+    return matrix("gammat_abs", [this](const PairCase& p) { return frictional(set) ? sliding_of(p).c_t : 0; });
   }
   std::string mu() const {
     return matrix("coefficientFriction", [](const PairCase& p) { return sliding_of(p).mu; });
@@ -86,11 +87,13 @@ struct Liggghts {
     const std::string set_so = settings.empty() ? "" : " " + settings;
     std::string text =
         fmt::format("{}\npair_style gran model {}{}\npair_coeff * *\n", fmt::join(properties, "\n"), model, set_so);
-    for (const std::size_t wall : walls_of(set))
+    for (const std::size_t wall : walls_of(set)) {
+      const WallPlane plane = plane_of(set, wall);
       text += fmt::format(
-          "variable ricochet_wall{0} index \"primitive type {1} zplane 0.0\"\n"
+          "variable ricochet_wall{0} index \"primitive type {1} {4}plane {5}.0\"\n"
           "fix ricochet_wall{0} all wall/gran model {2} ${{ricochet_wall{0}}}{3}\n",
-          suffix_of(set, wall), wall + 1, model, set_so);
+          suffix_of(set, wall), wall + 1, model, set_so, plane.axis, plane.place);
+    }
     return text;
   }
 
@@ -103,11 +106,9 @@ struct Liggghts {
                     fmt::format("absolute_damping on takes c in kg/s as it is; without it LIGGGHTS wants gamman per "
                                 "effective mass, {} 1/s here. limitForce on clips the attractive part of the force.",
                                 shortest(law.c() / set.pairs.front().impact.mass_eff))},
-        .input = with_style(
-            {matrix("kn", [](const PairCase& p) { return law_of<Linear>(p).k(); }), k_t(),
-             matrix("gamman_abs", [](const PairCase& p) { return law_of<Linear>(p).c(); }),
-             matrix("gammat_abs", [this](const PairCase& p) { return frictional(set) ? sliding_of(p).c_t : 0; })},
-            model("hooke/stiffness"), fmt::format("absolute_damping on {} {}", limit(), damping()))};
+        .input = with_style({matrix("kn", [](const PairCase& p) { return law_of<Linear>(p).k(); }), k_t(),
+                             matrix("gamman_abs", [](const PairCase& p) { return law_of<Linear>(p).c(); }), c_t()},
+                            model("hooke/stiffness"), fmt::format("absolute_damping on {} {}", limit(), damping()))};
     if (frictional(set)) {
       body.input = mu() + "\n" + body.input;
       body.remarks.emplace_back("tangential history takes k_t as kt and c_t as gammat_abs.");
@@ -216,54 +217,67 @@ struct Liggghts {
         .input = with_style(properties, model("edinburgh/stiffness"), "tangential_damping off fixKc on limitForce on")};
   }
 
-  Body operator()(const Fractional&) const {
+  /// Why a law of liggghts-ricochet can't be given so; nothing where it can.
+  std::optional<Body> refused_by_driver(std::string_view law) const {
     if (set.end != ContactEnd::force)
-      return absent("NOT WRITTEN: normal fractional ends contacts by force; export with --end force.");
-    if (frictional(set))
-      return no_such_tangential("LIGGGHTS", "normal fractional makes k_t of its own spring, or 2/7 of it by ktToKn on");
+      return absent(fmt::format("NOT WRITTEN: normal {} ends contacts by force; export with --end force.", law));
+    if (is_mindlin(set))
+      return no_such_tangential("LIGGGHTS",
+                                fmt::format("normal {} has a constant k_t; take the linear tangential law", law));
+    return std::nullopt;
+  }
+
+  /// A law of liggghts-ricochet by `properties`, with the tangential part.
+  Body by_driver(std::string_view law, std::vector<std::string> properties, std::vector<std::string> remarks) const {
+    Body body{.fidelity = Fidelity::exact, .remarks = std::move(remarks)};
+    body.remarks.insert(body.remarks.begin(), setting());
+    std::string settings;
+    if (frictional(set)) {
+      properties.insert(properties.end(), {mu(), k_t(), c_t()});
+      settings = damping();
+      body.remarks.emplace_back("kt is k_t and gammat_abs c_t, as they are.");
+    }
+    body.input = with_style(properties, model(law), settings);
+    if (damped_tangentially(set)) {
+      body.fidelity = Fidelity::close;
+      body.remarks.push_back(judges_spring_alone("LIGGGHTS"));
+    }
+    return body;
+  }
+
+  Body operator()(const Fractional&) const {
+    if (auto refused = refused_by_driver(Fractional::name)) return *refused;
     const std::vector<std::string> by_target{matrix("collisionTime", [](const PairCase& p) { return p.tcol; }),
                                              matrix("coefficientRestitution", [](const PairCase& p) { return p.en; })};
-    Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(), "Run with liggghts-ricochet, which adds this model to LIGGGHTS."}};
-    if (!set.other_sizes.empty()) {
-      body.remarks.push_back("Pairs of every size have this collision time and restitution.");
-      body.input = with_style(by_target, "fractional tangential off");
-      return body;
-    }
-    body.remarks.back() += " Only c^alpha k^(1-alpha) acts, for every pair alike.";
-    body.remarks.push_back(
-        fmt::format("For the same collision time and restitution at every pair's own mass, give in place of the three "
-                    "properties: {}",
-                    fmt::join(by_target, " and ")));
-    body.input =
-        with_style({matrix("fractionalK", [](const PairCase& p) { return law_of<Fractional>(p).k(); }),
-                    matrix("fractionalC", [](const PairCase& p) { return law_of<Fractional>(p).c(); }),
-                    matrix("fractionalAlpha", [](const PairCase& p) { return law_of<Fractional>(p).alpha(); })},
-                   "fractional tangential off");
-    return body;
+    const std::string driver = "Run with liggghts-ricochet, which adds this model to LIGGGHTS.";
+    if (!set.other_sizes.empty())
+      return by_driver(Fractional::name, by_target,
+                       {driver, "Pairs of every size have this collision time and restitution."});
+    return by_driver(Fractional::name,
+                     {matrix("fractionalK", [](const PairCase& p) { return law_of<Fractional>(p).k(); }),
+                      matrix("fractionalC", [](const PairCase& p) { return law_of<Fractional>(p).c(); }),
+                      matrix("fractionalAlpha", [](const PairCase& p) { return law_of<Fractional>(p).alpha(); })},
+                     {driver + " Only c^alpha k^(1-alpha) acts, for every pair alike.",
+                      fmt::format("For the same collision time and restitution at every pair's own mass, give in place "
+                                  "of the three properties: {}",
+                                  fmt::join(by_target, " and "))});
   }
 
   /// A law of real solids, by its parameters.
   template <RemembersAll Law>
   Body operator()(const Law&) const {
-    if (set.end != ContactEnd::force)
-      return absent(fmt::format("NOT WRITTEN: normal {} ends contacts by force; export with --end force.", Law::name));
-    if (frictional(set))
-      return no_such_tangential("LIGGGHTS", fmt::format("normal {} makes k_t of a spring of its own", Law::name));
+    if (auto refused = refused_by_driver(Law::name)) return *refused;
     std::vector<std::string> properties;
     for (std::size_t i = 0; i < Law::parameters.size(); ++i) {
       const std::string_view name = Law::parameters[i].name;
       properties.push_back(
           matrix(fractional_property(name), [&](const PairCase& p) { return law_of<Law>(p).values()[i]; }));
     }
-    Body body{.fidelity = Fidelity::exact,
-              .remarks = {setting(),
-                          "Run with liggghts-ricochet, which adds this model to LIGGGHTS. The parameters are "
-                          "those of every pair alike, whatever its masses and radii."}};
     if (std::same_as<Law, FractionalHertz>)
       properties.push_back(property("characteristicVelocity", "scalar", {set.pairs.front().impact.velocity}));
-    body.input = with_style(properties, fmt::format("{} tangential off", Law::name));
-    return body;
+    return by_driver(Law::name, std::move(properties),
+                     {"Run with liggghts-ricochet, which adds this model to LIGGGHTS. The parameters are those of "
+                      "every pair alike, whatever its masses and radii."});
   }
 
   /// Any law of which nothing is said above.

@@ -304,6 +304,7 @@ Reading read(const Asked& asked, Spelling spelling) {
   reading.known = {reader.scale(given, reading.bodies), loss, {velocity, reading.bodies.mass_eff}, reader.held()};
   if (asked.tcol) reading.stiffness = reader.held_stiffness();
   if (given == Reader::ScaleGiven::stiffness) reading.spring = asked.spring;
+  if (given == Reader::ScaleGiven::steps) reading.step = asked.timestep;
   return reading;
 }
 

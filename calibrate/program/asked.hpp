@@ -127,6 +127,7 @@ struct Reading {
   Bodies bodies;
   std::optional<double> stiffness;       ///< beside tcol: the k that is held, see `holds_stiffness`
   Spring spring = Spring::any;           ///< of the stiffness that is the scale
+  std::optional<double> step;            ///< the engine's time step, where that and a number of them is the scale [s]
   std::vector<std::string> assumptions;  ///< in words
 };
 

@@ -64,6 +64,7 @@ std::optional<ContactSet> contacts_of(const Report& report, std::size_t result) 
   const Target& target = found.request.target;
   PairCase asked{0, 0, found.law, target.tcol, target.en, target.impact, job.radius_eff, tangential_of(report, result)};
   ContactSet set{found.end, {{.name = "grain", .density = job.density}}, {}};
+  set.step = job.step;
   const auto* moduli = std::get_if<scale::Moduli>(&job.known.scale);
   if (moduli) set.kinds.front().poisson = moduli->first.poisson;  // then Young's moduli come out as they were given
   if (!job.wall) {

@@ -129,6 +129,7 @@ void take(Job& job, const Reading& reading, bool wall) {
   job.known = reading.known;
   job.stiffness = reading.stiffness;
   job.spring = reading.spring;
+  job.step = reading.step;
   job.assumptions = reading.assumptions;
   job.radius_eff = reading.bodies.radius_eff;
   job.density = reading.bodies.density;

@@ -68,6 +68,7 @@ struct Job {
   std::optional<AnyLaw> given = {};  ///< the law of --with, whose collision alone is asked for
   std::optional<double> stiffness;   ///< beside a collision time: the k that is held, see `holds_stiffness`
   Spring spring = Spring::any;       ///< of the stiffness that is the scale
+  std::optional<double> step;        ///< the engine's time step, where it was asked for [s]
   std::vector<Wanted> wanted;
   std::vector<Infeasible> left_out;  ///< laws of "all" that do not offer the asked end, loss or stiffness
   std::vector<std::string> assumptions;

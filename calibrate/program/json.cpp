@@ -168,6 +168,10 @@ Json document_of(const Report& report, StepAdvisor& advisor) {
     Json result = json_of(r, report.job.given.has_value());
     if (!report.tangential.empty()) result["tangential"] = json_of(report.tangential[i]);
     result["timestep"] = json_of(steps_of(r, advisor));
+    if (report.job.step) {
+      const auto error = asked_step_error(report.job, r);
+      result["timestep_asked"] = {{"error_en", error ? Json(*error) : Json()}, {"step", *report.job.step}};
+    }
     if (const auto time = hertz_time_of(r.law, report.job.known.impact)) result["hertz_time"] = *time;
     if (const auto sphere = real_sphere(report.job, r))
       result["real_sphere"] = {{"en", sphere->en}, {"relative_difference", sphere->difference}};

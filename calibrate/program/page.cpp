@@ -98,9 +98,8 @@ struct Stepped {
 std::vector<Stepped> steppings(const Report& report) {
   std::vector<Stepped> all;
   for (const Calibration& r : report.results) {
-    const bool located = is_located(r.law, r.end);
     all.push_back({fmt::format("{}, {}", name(r.law), text(r.end)),
-                   step_errors(r.law, r.end, r.request.target, located ? Stepping::located : Stepping::half_step)});
+                   step_errors(r.law, r.end, r.request.target, stepping_of(r.law, r.end))});
   }
   return all;
 }
@@ -187,12 +186,9 @@ std::string parameters_of(const Report& report) {
 
 constexpr const char* about_steps =
     "<p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force from the position at the end of the step and "
-    "the "
-    "velocity at its middle, a contact found once the bodies overlap. The error is the greatest over eighteen places "
-    "of "
-    "the first touch within a step. liggghts-ricochet and lammps-ricochet locate touch and end. The table of time "
-    "steps "
-    "above is read off these curves.</p>\n";
+    "the velocity at its middle, a contact found once the bodies overlap. The error is the greatest over eighteen "
+    "places of the first touch within a step. liggghts-ricochet and lammps-ricochet locate touch and end. The table of "
+    "time steps above is read off these curves, but names no step that those two warn of.</p>\n";
 
 std::string as_json(const Report& report) {
   return fmt::format("<details><summary>ricochet/calibration/1</summary>\n{}</details>\n",

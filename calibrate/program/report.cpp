@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace ricochet::calibration {
 namespace {
 
@@ -89,6 +91,13 @@ std::optional<double> rayleigh_of(const Job& job) {
 std::vector<EngineStep> steps_of(const Calibration& c, StepAdvisor& advisor) {
   if (c.request.target.en > 1 || c.under_load) return {};
   return advisor(c.law, c.end, c.request.target);
+}
+
+std::optional<double> asked_step_error(const Job& job, const Calibration& c) {
+  if (!job.step) return std::nullopt;
+  const Target& target = c.request.target;
+  const double error = step_error(c.law, c.end, target, target.tcol / *job.step, stepping_of(c.law, c.end));
+  return std::isfinite(error) ? std::optional(error) : std::nullopt;
 }
 
 std::string explained(const Infeasible& missed, Spelling spelling, const std::string& under) {

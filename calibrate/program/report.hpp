@@ -57,6 +57,10 @@ std::string exported(const Report& report, const std::string& engine, console::F
 /// The engines' time steps for it; none for a contact that gains energy (α < 0), which no engine runs.
 std::vector<EngineStep> steps_of(const Calibration& calibration, StepAdvisor& advisor);
 
+/// How far off e_n is with the time step that the job asks for, relative; nothing where it asks for none or the contact
+/// then does not end.
+std::optional<double> asked_step_error(const Job& job, const Calibration& calibration);
+
 /// For people: parameters and collisions.
 std::vector<console::Table> law_tables(const Report& report);
 /// The same with checks, time steps and what was out of reach.

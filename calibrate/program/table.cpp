@@ -161,12 +161,13 @@ Table step_table(const Report& report) {
     columns.push_back({fmt::format("step, {} %", console::shortest(100 * bound)), "s", three});
     columns.push_back({"tcol/step"});
   }
+  if (report.job.step) columns.push_back({"en off, asked", "%", {Notation::Kind::significant, 2}});
   columns.push_back({"Hertz time", "s", three});
   Table table(columns, "Time step that keeps en in the engines, wherever in a step the first touch falls");
   bool missed = false;
   StepAdvisor advisor;
   for (const Calibration& r : report.results) {
-    const auto hertz = hertz_time_of(r.law, report.job.known.impact);
+    const auto hertz = hertz_time_of(r.law, report.job.known.impact), asked = asked_step_error(report.job, r);
     for (const Advised& a : advised(steps_of(r, advisor))) {
       std::vector<Cell> row{law_of(r), end_of(r), a.engines};
       for (const auto& step : a.step) {
@@ -174,10 +175,16 @@ Table step_table(const Report& report) {
         row.push_back(step ? Cell(*step) : console::blank());
         row.push_back(step ? Cell(std::int64_t{std::lround(r.request.target.tcol / *step)}) : console::blank());
       }
+      if (report.job.step) row.push_back(asked ? Cell(100 * *asked) : console::blank());
       row.push_back(hertz ? Cell(*hertz) : console::blank());
       table.row(row);
     }
   }
+  table.note(
+      report.job.step
+          ? fmt::format("--export writes the step that was asked for, {} s", console::shortest(*report.job.step))
+          : fmt::format("--export writes the step for {} %",
+                        console::shortest(100 * *std::min_element(std::begin(step_bounds), std::end(step_bounds)))));
   if (missed) table.note("-: more than 20000 steps a collision");
   if (const auto time = rayleigh_of(report.job))
     table.note(fmt::format("Rayleigh time of the smaller sphere: {} s", console::significant(*time, 3)));

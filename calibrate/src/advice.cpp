@@ -4,6 +4,7 @@
 
 #include <calibrate/export.hpp>
 #include <half_step_contact.hpp>
+#include <run_watch.hpp>
 #include <ricochet/collision/scale_and_loss.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
 #include <ricochet/support/require.hpp>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -36,6 +38,9 @@ std::optional<Collision> moved(const AnyLaw& law, std::size_t i, double value, C
   }
 }
 
+/// Of a contact that has not ended.
+constexpr double endless = std::numeric_limits<double>::infinity();
+
 /// Restitution of a contact that begins `lead` of a step before the end of the step in which it is found.
 template <ContactLaw Law>
 double stepped_restitution(const Law& law, ContactEnd end, const Impact& impact, double h, double lead,
@@ -54,7 +59,7 @@ double stepped_restitution(const Law& law, ContactEnd end, const Impact& impact,
     before = now;
     rate = half - 0.5 * h * force / impact.mass_eff;
   }
-  return std::nan("");
+  return endless;
 }
 
 /// The same in the drivers, whose contact finds both its ends.
@@ -71,7 +76,7 @@ double located_restitution(const Contact& contact, const Impact& impact, double 
     if (n > 1 && force <= 0) return -half / impact.velocity;
     rate = half - 0.5 * h * force / impact.mass_eff;
   }
-  return std::nan("");
+  return endless;
 }
 
 /// Over places of the touch, in steps before the first that feels it: restitution(lead) against the target's. The
@@ -93,16 +98,18 @@ double worst_error(const Target& target, const F& restitution) {
 /// A contact that takes this many times the collision time does not end.
 constexpr int patience = 20;
 
+int most_steps(double steps) { return static_cast<int>(std::ceil(patience * steps)); }
+
 struct Stepped {
   ContactEnd end;
   const Target& target;
-  int steps;
+  double steps;
 
   template <class Law>
   double operator()(const Law& law) const {
     const double h = target.tcol / steps;
     return worst_error(
-        target, [&](double lead) { return stepped_restitution(law, end, target.impact, h, lead, patience * steps); });
+        target, [&](double lead) { return stepped_restitution(law, end, target.impact, h, lead, most_steps(steps)); });
   }
   template <RemembersAll Law>
   double operator()(const Law& law) const {
@@ -122,12 +129,12 @@ class Located {
   Located(const Law& law, const Target& target)
       : law_(law), target_(target), kernel_(affordable_kernel(law.alpha(), {1, memory, 1e-7}, most_arms)) {}
 
-  double error(int steps) const {
+  double error(double steps) const {
     const double h = target_.tcol / steps;
     const half_step::LocatedContact<Law> contact(in_steps(h), kernel_, 1);
     const Impact impact{target_.impact.velocity * h, target_.impact.mass_eff};
     return worst_error(target_,
-                       [&](double lead) { return located_restitution(contact, impact, 1, lead, patience * steps); });
+                       [&](double lead) { return located_restitution(contact, impact, 1, lead, most_steps(steps)); });
   }
 
  private:
@@ -155,16 +162,16 @@ class Located {
 };
 
 /// The error as a function of the steps.
-std::function<double(int)> stepping_of(const AnyLaw& law, ContactEnd end, const Target& target, Stepping stepping) {
+std::function<double(double)> error_of(const AnyLaw& law, ContactEnd end, const Target& target, Stepping stepping) {
   if (stepping == Stepping::half_step)
-    return [&law, &target, end](int steps) { return std::visit(Stepped{end, target, steps}, law); };
+    return [&law, &target, end](double steps) { return std::visit(Stepped{end, target, steps}, law); };
   if (!is_located(law, end))
     throw std::invalid_argument("contacts of laws with a memory that end by force are located, and no others");
   return std::visit(
-      [&]<class Law>(const Law& one) -> std::function<double(int)> {
+      [&]<class Law>(const Law& one) -> std::function<double(double)> {
         if constexpr (RemembersAll<Law>) {
           const auto contact = std::make_shared<Located<Law>>(one, target);
-          return [contact](int steps) { return contact->error(steps); };
+          return [contact](double steps) { return contact->error(steps); };
         } else {
           return {};
         }
@@ -172,10 +179,10 @@ std::function<double(int)> stepping_of(const AnyLaw& law, ContactEnd end, const 
       law);
 }
 
-void add_steps(std::vector<EngineStep>& all, std::string_view engine, const std::vector<StepError>& errors,
-               double tcol) {
+void add_steps(std::vector<EngineStep>& all, std::string_view engine, const std::vector<StepError>& errors, double tcol,
+               Stepping stepping) {
   for (const double bound : step_bounds) {
-    const auto steps = steps_for(errors, bound);
+    const auto steps = steps_for(errors, bound, stepping);
     all.push_back({std::string(engine), bound, steps ? std::optional(tcol / *steps) : std::nullopt});
   }
 }
@@ -201,7 +208,7 @@ std::vector<Sensitivity> sensitivities(const AnyLaw& law, ContactEnd end, const 
 }
 
 std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Target& target, Stepping stepping) {
-  const auto error_of = stepping_of(law, end, target, stepping);
+  const auto error_at = error_of(law, end, target, stepping);
   constexpr auto decade = std::to_array({10, 12, 15, 20, 25, 30, 40, 50, 60, 80});
   constexpr double enough = *std::min_element(std::begin(step_bounds), std::end(step_bounds));
   std::vector<StepError> all;
@@ -210,7 +217,7 @@ std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Targ
     for (const int digit : decade) {
       const int steps = tenths * digit / 10;
       if (steps < 5 || steps > 20000 || tenths * digit % 10 != 0) continue;
-      const double error = error_of(steps);
+      const double error = error_at(steps);
       all.push_back({steps, error});
       within = error <= enough ? within + 1 : 0;
       if (within == 3) return all;
@@ -218,27 +225,37 @@ std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Targ
   return all;
 }
 
+double step_error(const AnyLaw& law, ContactEnd end, const Target& target, double steps, Stepping stepping) {
+  support::require_positive("steps", steps);
+  return error_of(law, end, target, stepping)(steps);
+}
+
+Stepping stepping_of(const AnyLaw& law, ContactEnd end) {
+  return is_located(law, end) ? Stepping::located : Stepping::half_step;
+}
+
 bool is_located(const AnyLaw& law, ContactEnd end) {
   return end == ContactEnd::force && std::visit([]<class Law>(const Law&) { return RemembersAll<Law>; }, law);
 }
 
-std::optional<int> steps_for(const std::vector<StepError>& errors, double bound) {
+std::optional<int> steps_for(const std::vector<StepError>& errors, double bound, Stepping stepping) {
   std::optional<int> least;
   for (auto e = errors.rbegin(); e != errors.rend() && e->error <= bound; ++e) least = e->steps;
+  if (least && stepping == Stepping::located) return std::max(*least, half_step::RunWatch::advised_steps);
   return least;
 }
 
 std::vector<EngineStep> engine_steps(const AnyLaw& law, ContactEnd end, const Target& target) {
   std::vector<EngineStep> all;
-  const bool located = is_located(law, end);
+  const Stepping stepping = stepping_of(law, end);
   // Whether an engine has the law does not depend on the size of the grains.
   const ExportCase what{
       .law = law, .end = end, .tcol = target.tcol, .en = target.en, .impact = target.impact, .radius_eff = 1};
   std::vector<StepError> errors;  // alike in all that run it
   for (const Engine engine : engines()) {
     if (!runs(engine, what)) continue;
-    if (errors.empty()) errors = step_errors(law, end, target, located ? Stepping::located : Stepping::half_step);
-    add_steps(all, located ? driver(engine) : text(engine), errors, target.tcol);
+    if (errors.empty()) errors = step_errors(law, end, target, stepping);
+    add_steps(all, stepping == Stepping::located ? driver(engine) : text(engine), errors, target.tcol, stepping);
   }
   return all;
 }

@@ -107,6 +107,7 @@ void RememberingModel<Law>::connectToProperties(PropertyRegistry& registry) {
     connect_target(registry);
   else
     connect_parameters(registry);
+  connect_tangential(registry);
   connect_scalar(registry, "memoryTime", &memory_time, memory_time_);
   if constexpr (knows_velocity<Law>) {
     connect_scalar(registry, "characteristicVelocity", &velocity, velocity_);
@@ -152,6 +153,24 @@ void RememberingModel<Law>::connect_parameters(PropertyRegistry& registry) {
     (one(property_name(Law::parameters[I].name), &parameter<Law, I>, parameters_[I]), ...);
   }
   (std::make_index_sequence<Law::parameters.size()>{});
+}
+
+/// Spring and dashpot in the tangent plane, under LIGGGHTS's own names for constant ones: where the deck has them, in
+/// the place of those that follow from the linear contact.
+template <class Law>
+void RememberingModel<Law>::connect_tangential(PropertyRegistry& registry) {
+  const std::string who = model_name<Law>();
+  if (has_matrix(*modify, "kt")) {
+    if (kt_to_kn_)
+      error->all(FLERR,
+                 fmt::format("{} takes either kt (fix property/global) or ktToKnUser on, not both", who).c_str());
+    registry.registerProperty("kt", &MODEL_PARAMS::createKt);
+    registry.connect("kt", kt_, who.c_str());
+  }
+  if (has_matrix(*modify, "gammat_abs")) {
+    registry.registerProperty("gammat_abs", &MODEL_PARAMS::createGammatAbs);
+    registry.connect("gammat_abs", gammat_, who.c_str());
+  }
 }
 
 /// Leaves `value` as it is where the deck has none. Under a name of ours: LIGGGHTS's own creators limit some.
@@ -224,17 +243,22 @@ void RememberingModel<Law>::surfacesIntersect(Intersection& pair, Forces& on_i, 
 
   const double touches = ContactHistory::is_at(history, update->ntimestep) ? 1 : 0;
   pair.Fn = touches * law.coefficient(pair.meff) * ContactHistory::repulsion(history);
-  const auto linear = law.linear_equivalent(pair.meff);
-  pair.kn = linear.stiffness;
-  pair.kt = kt_to_kn_ ? linear.stiffness * 2 / 7 : linear.stiffness;
-  pair.gamman = linear.damping;
-  pair.gammat = tangential_damping_ ? linear.damping : 0;
+  prepare_other_models(pair, law);
 
   const double magnitude = pair.is_wall ? pair.Fn * pair.area_ratio : pair.Fn;
   for (int d = 0; d < 3; ++d) {
     on_i.delta_F[d] += magnitude * pair.en[d];
     if (!pair.is_wall) on_j.delta_F[d] -= magnitude * pair.en[d];
   }
+}
+
+template <class Law>
+void RememberingModel<Law>::prepare_other_models(Intersection& pair, const PairLaw<Law>& law) const {
+  const auto linear = law.linear_equivalent(pair.meff);
+  pair.kn = linear.stiffness;
+  pair.gamman = linear.damping;
+  pair.kt = kt_ ? kt_[pair.itype][pair.jtype] : kt_to_kn_ ? linear.stiffness * 2 / 7 : linear.stiffness;
+  pair.gammat = !tangential_damping_ ? 0 : gammat_ ? gammat_[pair.itype][pair.jtype] : linear.damping;
 }
 
 // LIGGGHTS calls for forces several times at one step: when it sets a run up, with the velocities of the whole step

@@ -48,6 +48,7 @@ class RememberingModel : public LIGGGHTS::ContactModels::NormalModelBase {
  private:
   void connect_target(PropertyRegistry& registry);
   void connect_parameters(PropertyRegistry& registry);
+  void connect_tangential(PropertyRegistry& registry);
   void connect_scalar(PropertyRegistry& registry, const std::string& name,
                       ::ScalarProperty* (*make)(PropertyRegistry&, const char*, bool), double& value);
   void read_properties();
@@ -55,6 +56,8 @@ class RememberingModel : public LIGGGHTS::ContactModels::NormalModelBase {
   void check_steps_of_present_grains();
   int at(int itype, int jtype) const { return itype * types_ + jtype; }
   void advance(Intersection& pair, double* history, const PairLaw<Law>& law);
+  /// Stiffness and damping that tangential, rolling and cohesion models scale theirs by.
+  void prepare_other_models(Intersection& pair, const PairLaw<Law>& law) const;
 
   bool is_wall_;
   bool kt_to_kn_ = false, tangential_damping_ = true, track_energy_ = false;
@@ -62,6 +65,7 @@ class RememberingModel : public LIGGGHTS::ContactModels::NormalModelBase {
 
   double **tcol_ = nullptr, **en_ = nullptr, **alpha_ = nullptr, **stiffening_ = nullptr;  // the one set, or
   std::array<double**, Law::parameters.size()> parameters_{};                              // the other
+  double **kt_ = nullptr, **gammat_ = nullptr;  // in the tangent plane, where the deck gives them
   double memory_time_ = 0;
   double velocity_ = std::is_same_v<Law, FractionalHertz> ? 0 : 1;  // of the others any is the same
 

@@ -1,4 +1,5 @@
 #include <calibrate/advice.hpp>
+#include <run_watch.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -39,17 +40,41 @@ TEST_CASE("sensitivities are the exponents of the closed forms") {
 TEST_CASE("the error of a plain engine's step falls in proportion to it") {
   const Linear law(7316.0209, 0.0979913);
   const Collision exact = collide(law, impact, {.end = ContactEnd::overlap});
-  const auto errors = step_errors(law, ContactEnd::overlap, {exact.tcol, exact.en, impact});
+  const auto errors = step_errors(law, ContactEnd::overlap, {exact.tcol, exact.en, impact}, Stepping::half_step);
   const auto at = [&](int steps) {
     for (const StepError& e : errors)
       if (e.steps == steps) return e.error;
     return std::nan("");
   };
   CHECK(std::log10(at(80) / at(800)) == Approx(1).margin(0.1));
-  const int enough = steps_for(errors, 0.01).value();
+  const int enough = steps_for(errors, 0.01, Stepping::half_step).value();
   CHECK(at(enough) <= 0.01);
   CHECK(errors.back().error <= 0.001);
-  CHECK_FALSE(steps_for(errors, 1e-9));
+  CHECK_FALSE(steps_for(errors, 1e-9, Stepping::half_step));
+  // Of one step the same, whether a whole number of them takes the collision or not.
+  const auto error = [&](double steps) {
+    return step_error(law, ContactEnd::overlap, {exact.tcol, exact.en, impact}, steps, Stepping::half_step);
+  };
+  CHECK(error(80) == at(80));
+  CHECK(std::log10(error(88.8) / error(888)) == Approx(1).margin(0.2));  // the end falls elsewhere in its step
+  CHECK_THROWS_AS(error(0), std::invalid_argument);
+}
+
+TEST_CASE("no step is advised that a driver warns of, nor one that twenty steps would leave off by a percent") {
+  for (const double en : {0.1, 0.5, 0.95})
+    for (const LawKind kind : {kind_of<Fractional>, kind_of<FractionalKelvinVoigt>, kind_of<FractionalZener>}) {
+      const auto found = calibrate({kind, ContactEnd::force, {1e-4, en, impact}}, {.method = Method::direct});
+      const auto* calibration = std::get_if<Calibration>(&found);
+      if (!calibration) continue;
+      CAPTURE(en, kind.name());
+      const AnyLaw& law = calibration->law;
+      const Target target{1e-4, en, impact};
+      half_step::RunWatch watch;
+      watch.begin_run(1, 0, 100);
+      for (const EngineStep& s : engine_steps(law, ContactEnd::force, target))
+        CHECK_FALSE(watch.look_at_step(0, impact.mass_eff, target.tcol, s.step.value()));
+      CHECK(step_error(law, ContactEnd::force, target, half_step::RunWatch::advised_steps, Stepping::located) <= 0.01);
+    }
 }
 
 TEST_CASE("the drivers locate the contact: its error falls with the square of the step") {
@@ -101,7 +126,8 @@ TEST_CASE("the error of a step is that of the worst place of the touch, as anoth
     return std::abs(-rate / impact.velocity / exact.en - 1);
   };
   int in_the_middle = 0;
-  for (const StepError& e : step_errors(law, ContactEnd::overlap, {exact.tcol, exact.en, impact})) {
+  for (const StepError& e :
+       step_errors(law, ContactEnd::overlap, {exact.tcol, exact.en, impact}, Stepping::half_step)) {
     CAPTURE(e.steps);
     double within = 0;
     for (int place = 0; place < 16; ++place) within = std::max(within, missed(e.steps, (place + 0.5) / 16));

@@ -3,6 +3,7 @@
 #include <calibrate/advice.hpp>
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/collision/peer_damping.hpp>
+#include <ricochet/support/text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -299,8 +300,9 @@ TEST_CASE("a snippet sets the step that keeps the restitution, for the touch at 
   const auto lammps = export_law(Engine::lammps, with(linear, ContactEnd::overlap));
   const double step = after(lammps, "timestep ");
   const Collision exact = lammps.gives.front();
-  const auto errors = step_errors(linear, ContactEnd::overlap, {exact.tcol, exact.en, {0.5, mass_eff}});
-  CHECK(step == Approx(1e-4 / steps_for(errors, 0.001).value()).epsilon(1e-14));
+  const auto errors =
+      step_errors(linear, ContactEnd::overlap, {exact.tcol, exact.en, {0.5, mass_eff}}, Stepping::half_step);
+  CHECK(step == Approx(1e-4 / steps_for(errors, 0.001, Stepping::half_step).value()).epsilon(1e-14));
   CHECK(after(export_law(Engine::yade, with(linear_by_force, ContactEnd::force)), "O.dt = ") > 0);
   CHECK(after(export_law(Engine::mercurydpm, with(linear, ContactEnd::overlap)), "setTimeStep(") == step);
   // MFiX divides pi/sqrt(k/m - (c/m)^2/4), which ended by overlap is the collision time itself, into whole steps; of a
@@ -316,6 +318,40 @@ TEST_CASE("a snippet sets the step that keeps the restitution, for the touch at 
   const double same = after(export_law(Engine::lammps, with(tsuji, ContactEnd::overlap)), "timestep ");
   CHECK(as_if / factor <= same);
   CHECK((factor == 10 || as_if / (factor - 1) > same));
+}
+
+TEST_CASE("a step that is asked for is written, with what it does to the restitution") {
+  const auto asked_of = [](Engine engine, const AnyLaw& law, ContactEnd end, double step) {
+    ContactSet set{end, {{.name = "grain"}}, {{0, 0, law, 1e-4, 0.5, {0.5, mass_eff}, radius_eff}}};
+    set.step = step;
+    return export_contacts(engine, set);
+  };
+  CHECK(after(asked_of(Engine::lammps, linear, ContactEnd::overlap, 2e-6), "timestep ") == 2e-6);
+  CHECK(after(asked_of(Engine::liggghts, linear, ContactEnd::overlap, 2e-6), "timestep ") == 2e-6);
+  CHECK(after(asked_of(Engine::yade, linear_by_force, ContactEnd::force, 2e-6), "O.dt = ") == 2e-6);
+  CHECK(after(asked_of(Engine::mercurydpm, linear, ContactEnd::overlap, 2e-6), "setTimeStep(") == 2e-6);
+  // MFiX divides a time of its own, which is the collision time.
+  const double own = std::numbers::pi / std::sqrt(linear.k() / mass_eff - std::pow(linear.c() / mass_eff, 2) / 4);
+  CHECK(after(asked_of(Engine::mfix, linear, ContactEnd::overlap, 2e-6), "DTSOLID_FACTOR = ") == std::ceil(own / 2e-6));
+
+  const auto said = [](const Snippet& snippet) {
+    std::string words = snippet.text.substr(snippet.text.find("Time step: "));
+    for (std::size_t at; (at = words.find("\n# ")) != std::string::npos;) words.replace(at, 3, " ");
+    return words;
+  };
+  const Collision exact = collide(linear, {0.5, mass_eff}, {.end = ContactEnd::overlap});
+  const double error =
+      step_error(linear, ContactEnd::overlap, {exact.tcol, exact.en, {0.5, mass_eff}}, 50, Stepping::half_step);
+  const std::string by_lammps = said(asked_of(Engine::lammps, linear, ContactEnd::overlap, 2e-6));
+  CHECK(by_lammps.starts_with("Time step: 2e-06 s (tcol/50), as asked: the restitution is up to " +
+                              support::significant(100 * error, 2) + " % off; 1.25e-06 s (tcol/80) keeps it to 1 %"));
+  CHECK(by_lammps.find(" warns of ") == std::string::npos);
+  // What the driver says of such a step.
+  const std::string coarse = said(asked_of(Engine::lammps, fractional, ContactEnd::force, 1e-5)),
+                    enough = said(asked_of(Engine::lammps, fractional, ContactEnd::force, 5e-6));
+  CHECK(coarse.find("(lammps-ricochet warns of fewer than 20 steps in a collision and refuses fewer than 4)") !=
+        std::string::npos);
+  CHECK(enough.find(" warns of ") == std::string::npos);
 }
 
 TEST_CASE("engines by name, and misuse") {

@@ -133,6 +133,28 @@ TEST_CASE("Yade's springs in series, where no tc and en give the damping, reach 
   CHECK(active(beyond).empty());
 }
 
+TEST_CASE("no two kinds of wall stand in one place until the deck places them, and the file says where they are") {
+  ContactSet set{ContactEnd::force, {{.name = "grain"}}, {{0, 0, linear_by_force, 1e-4, 0.5, {0.5, mass_eff}, {}}}};
+  for (const char* name : {"floor", "side", "back", "lid"}) {
+    set.pairs.push_back({0, set.kinds.size(), linear_at_wall, 1e-4, 0.5, {0.5, wall_mass}, {}});
+    set.kinds.push_back({.name = name, .wall = true});
+  }
+  const auto lammps = export_contacts(Engine::lammps, set), liggghts = export_contacts(Engine::liggghts, set);
+  CHECK(line_with(lammps, "ricochet_wall_floor index") == "variable ricochet_wall_floor index \"zplane 0.0 NULL\"");
+  CHECK(line_with(lammps, "ricochet_wall_side index") == "variable ricochet_wall_side index \"xplane 0.0 NULL\"");
+  CHECK(line_with(lammps, "ricochet_wall_back index") == "variable ricochet_wall_back index \"yplane 0.0 NULL\"");
+  CHECK(line_with(lammps, "ricochet_wall_lid index") == "variable ricochet_wall_lid index \"zplane NULL 1.0\"");
+  CHECK(acts_on(liggghts, "variable ricochet_wall_side index \"primitive type 3 xplane 0.0\""));
+  CHECK(acts_on(liggghts, "variable ricochet_wall_lid index \"primitive type 5 zplane 1.0\""));
+  for (const Snippet& snippet : {lammps, liggghts}) {
+    std::string words = snippet.remarks.front();
+    CHECK(words.find("Set these variables to where the walls are before you include this file; without, "
+                     "ricochet_wall_floor is the plane z = 0, ricochet_wall_side is the plane x = 0, "
+                     "ricochet_wall_back is the plane y = 0, ricochet_wall_lid is the plane z = 1.") !=
+          std::string::npos);
+  }
+}
+
 TEST_CASE("grains of several kinds: one command or matrix entry a pair") {
   ContactSet set{ContactEnd::force,
                  {{.name = "small"}, {.name = "large"}, {.name = "floor", .wall = true}},

@@ -107,6 +107,21 @@ TEST_CASE("LIGGGHTS: kt, gammat_abs and coefficientFriction, or the moduli that 
   CHECK(export_law(Engine::liggghts, with(linear, mindlin)).fidelity == Fidelity::absent);
 }
 
+TEST_CASE("LIGGGHTS: beside laws with a memory kt and gammat_abs of liggghts-ricochet") {
+  for (const AnyLaw& law : {AnyLaw(Fractional(5225, 0.2964, 0.3197)), AnyLaw(FractionalHertz(1e6, 3e3, 0.4))}) {
+    const auto snippet = export_law(Engine::liggghts, with(law, damped));
+    CHECK(after(snippet, "kt peratomtypepair 1 ") == 2500);
+    CHECK(after(snippet, "gammat_abs peratomtypepair 1 ") == 0.03);
+    CHECK(after(snippet, "coefficientFriction peratomtypepair 1 ") == mu);
+    CHECK(snippet.text.find("tangential history tangential_damping on") != std::string::npos);
+    CHECK(snippet.fidelity == Fidelity::close);
+    const auto spring = export_law(Engine::liggghts, with(law, undamped));
+    CHECK(spring.text.find("tangential history tangential_damping off") != std::string::npos);
+    CHECK(spring.fidelity == Fidelity::exact);
+    CHECK(export_law(Engine::liggghts, with(law, mindlin)).fidelity == Fidelity::absent);  // constant k_t
+  }
+}
+
 TEST_CASE("Yade: ks and cs of the materials in series, frictAngle; or the moduli that shear as asked") {
   const auto series = export_law(Engine::yade, with(linear, damped));
   CHECK(after(series, "ks=") == Approx(2 * 2500).epsilon(1e-14));

@@ -29,9 +29,12 @@ enum class Stepping {
   /// middle.
   half_step,
   /// liggghts-ricochet, lammps-ricochet; laws with a memory ended by force only: touch and end are located. Second
-  /// order.
+  /// order. They warn of fewer steps than half_step::RunWatch::advised_steps, and none are advised here.
   located
 };
+
+/// How the engines that run such a contact step it: `located` where it is_located.
+Stepping stepping_of(const AnyLaw& law, ContactEnd end);
 
 /// How far e_n is off when an engine takes that many steps a collision time.
 struct StepError {
@@ -45,14 +48,17 @@ inline constexpr double step_bounds[] = {0.01, 0.001};
 /// The collision as engines step it, from 5 steps a collision time on until the error stays within the least of
 /// step_bounds for three meshes, a tenth to a quarter finer each, or 20000 steps. Laws that remember all are carried by
 /// Maxwell arms with a kernel error of 1e-6. Throws std::invalid_argument for `located` where it is not `is_located`.
-std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Target& target,
-                                   Stepping stepping = Stepping::half_step);
+std::vector<StepError> step_errors(const AnyLaw& law, ContactEnd end, const Target& target, Stepping stepping);
+
+/// The same error where a collision takes that many steps > 0, whole or not; infinite where the contact does not end.
+double step_error(const AnyLaw& law, ContactEnd end, const Target& target, double steps, Stepping stepping);
 
 /// Is it for an engine's driver, which locates both ends of a contact? The laws that remember all, ended by force.
 bool is_located(const AnyLaw& law, ContactEnd end);
 
-/// The least steps from which on the error stays within `bound`; nothing if the finest mesh does not suffice.
-std::optional<int> steps_for(const std::vector<StepError>& errors, double bound);
+/// The least steps from which on the error stays within `bound`, and that the stepping's programs do not warn of;
+/// nothing if the finest mesh does not suffice.
+std::optional<int> steps_for(const std::vector<StepError>& errors, double bound, Stepping stepping);
 
 /// The time step that keeps e_n to error_en in an engine; nothing where 20000 steps a collision do not.
 struct EngineStep {

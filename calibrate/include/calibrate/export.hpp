@@ -72,6 +72,8 @@ struct ContactSet {
   /// numbers are chosen to keep e_n for every size where the engine can, and the time step serves them all.
   std::vector<PairCase> other_sizes = {};
   std::vector<std::string> notes = {};  ///< what else to tell of them, a sentence each
+  /// The time step that the contacts were made for [s]; without, the file has the one that keeps their e_n.
+  std::optional<double> step = {};
 };
 
 enum class Fidelity {

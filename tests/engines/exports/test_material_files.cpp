@@ -1,30 +1,20 @@
 // The example files of data/materials, as `calibrate --materials FILE --export ENGINE` writes them, in the engines.
 
+#include "material_files.hpp"
+
 #include "../../../verify/studies/engines/outcome.hpp"
 
-#include <materials.hpp>
-
 #include <catch2/catch.hpp>
-
-#include <cmath>
-#include <fstream>
-#include <iterator>
 
 using namespace ricochet;
 using calibration::Engine;
 
 namespace {
 
-calibration::Materials read(const std::string& name) {
-  const std::string path = RICOCHET_SOURCE_DIR "/data/materials/" + name;
-  std::ifstream file(path);
-  return calibration::read_materials(path, {std::istreambuf_iterator<char>(file), {}});
-}
-
 /// Runs every pair of the file at every size that it has; how many ran.
 std::size_t run_in(Engine engine, const std::string& name) {
   std::size_t ran = 0;
-  for (const verify::engines::Contact& contact : verify::engines::contacts_of(engine, read(name))) {
+  for (const verify::engines::Contact& contact : verify::engines::contacts_of(engine, materials_of(name))) {
     const auto program = verify::engines::EngineProgram::find(engine, contact.fractional);
     INFO(name << " in " << text(engine) << ": " << contact.name);
     REQUIRE(program);

@@ -99,6 +99,27 @@ TEST_CASE("a grain that slips all through a collision loses μ(1 + en) of its no
   CHECK(slip - v[1] == Approx(friction * (speed + v[0])).epsilon(2e-2));
 }
 
+TEST_CASE("kt and gammat_abs of the deck take the place of the linear contact's in the tangent plane") {
+  // Those of the linear contact itself, where they change nothing; then others, which do.
+  const double per_time = striker.mass() / tcol, loss = -std::log(en), pi = std::acos(-1);
+  const double stiffness = per_time * (pi * pi + loss * loss) / tcol, damping = 2 * per_time * loss;
+  const auto rub = [](double kt, double gammat) {
+    return velocity_after("kt", target() + pair_property("kt", kt) + pair_property("gammat_abs", gammat),
+                          "tangential history");
+  };
+  const Vector linear = velocity_after("kt_linear", target(), "tangential history");
+  CHECK(rub(stiffness, damping)[1] == Approx(linear[1]).epsilon(1e-9));
+  CHECK(std::abs(rub(1e-3 * stiffness, damping)[1] - linear[1]) > 1e-2);
+  // LIGGGHTS limits the spring's force, so that without one the dashpot sticks.
+  CHECK(rub(0, 0)[1] == Approx(slip).epsilon(1e-12));
+  CHECK(rub(0, damping)[1] < slip - 1e-2);
+  const Workplace place("kt_twice");
+  std::string deck = strike(place, target() + pair_property("kt", 1), "tangential history");
+  deck.insert(deck.find("\npair_coeff"), " ktToKnUser on");
+  CHECK(place.run(deck) != 0);
+  CHECK(contains(place.output(), "model fractional takes either kt (fix property/global) or ktToKnUser on, not both"));
+}
+
 TEST_CASE("the normal law combines with LIGGGHTS's tangential, rolling and cohesion models") {
   const std::string cohesion = pair_property("cohesionEnergyDensity", 10);
   for (const std::string tangential : {"", "tangential no_history", "tangential history"})

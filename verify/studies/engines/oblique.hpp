@@ -23,7 +23,8 @@ struct ObliqueContact {
   double angle = 0;        ///< of the relative velocity from the normal [°]
   bool exact = false;      ///< the engine is said to have this very law
   ObliqueMeasured ours{};  ///< by our oblique collision
-  ObliqueMeasured rule{};  ///< by the engine's own rule as the docs tell it, stepped here, the step going to 0
+  ObliqueMeasured rule{};  ///< by the engine's own rule as the docs tell it, stepped here, the step going to 0; of the
+                           ///< drivers' laws, whose springs have no dashpot here, ours
 };
 
 /// A wall and a pair at three angles, for each law of the normal and tangential part that the engine can be given.

@@ -130,12 +130,18 @@ struct Runs {
   bool misses(const std::string& who) const { return std::find(missing.begin(), missing.end(), who) != missing.end(); }
 };
 
-void run_one(const EngineProgram& program, const Contact& what, Runs& runs) {
+/// `outcomes` takes what comes of it.
+template <class What, class Outcomes>
+void run_one(const What& what, const Contact& contact, Outcomes& outcomes, Runs& runs) {
+  const std::string who = program_name(contact.engine, contact.fractional);
+  const auto program = EngineProgram::find(contact.engine, contact.fractional);
+  if (!program && !runs.misses(who)) runs.missing.push_back(who);
+  if (!program) return;
   try {
-    runs.outcomes.push_back(engines::run(program, what));
+    outcomes.push_back(engines::run(*program, what));
   } catch (const Refused& why) {
-    const std::string law(what.law ? name(*what.law) : what.name);
-    const std::string told = fmt::format("{} in {}: {}", law, program_name(what.engine, what.fractional), why.what());
+    const std::string law(contact.law ? name(*contact.law) : contact.name);
+    const std::string told = fmt::format("{} in {}: {}", law, who, why.what());
     if (std::find(runs.refused.begin(), runs.refused.end(), told) == runs.refused.end()) runs.refused.push_back(told);
   }
 }
@@ -147,16 +153,11 @@ Runs run_all(const std::vector<Engine>& wanted) {
   Runs runs;
   console::Progress progress("verify engines", contacts.size());
   for (const Contact& what : contacts) {
-    const std::string who = program_name(what.engine, what.fractional);
-    if (const auto program = EngineProgram::find(what.engine, what.fractional))
-      run_one(*program, what, runs);
-    else if (!runs.misses(who))
-      runs.missing.push_back(who);
+    run_one(what, what, runs.outcomes, runs);
     progress.advance();
   }
   for (const Engine engine : wanted)
-    if (const auto program = EngineProgram::find(engine))
-      for (const ObliqueContact& what : oblique_contacts(engine)) runs.oblique.push_back(engines::run(*program, what));
+    for (const ObliqueContact& what : oblique_contacts(engine)) run_one(what, what.what, runs.oblique, runs);
   return runs;
 }
 
