@@ -1,5 +1,9 @@
 // Settles a packing and writes it for LIGGGHTS; times the steps of a packing that was written. See bench/packing/run.
+#include "../workloads.hpp"
+
 #include <ricochet/motion/cluster.hpp>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -58,10 +62,10 @@ ClusterSetup setup_of(const Packing& packing, const std::string& kind) {
   return setup;
 }
 
-ClusterOptions options_of(double tolerance, int threads = 1) {
+ClusterOptions options_of(double tolerance, int threads = 1, double h = step) {
   // What 12 arms reach over 1000 steps.
-  return {.step = step,
-          .longest_contact = 1000 * step,
+  return {.step = h,
+          .longest_contact = 1000 * h,
           .kernel_tolerance = 2e-6,
           .solver_tolerance = tolerance,
           .records = false,
@@ -169,6 +173,63 @@ void run(const std::string& kind, const std::string& file, int steps, double tol
               sweeps / steps, static_cast<unsigned long long>(cluster.state().unconverged - unconverged));
 }
 
+// How far from each other spheres are, in radii, by root mean square.
+double apart(const Cluster& a, const Cluster& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec3 d = (a.position(i) - b.position(i)) / radius;
+    sum += dot(d, d);
+  }
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+// What halving the step changes in a packing of springs and in one of rigid friction, and what a tolerance of the sweeps
+// changes in this.
+void accuracy(const std::string& file, double seconds) {
+  const Packing packing = read(file);
+  const auto after = [&](const std::string& kind, double tolerance, double h) {
+    Cluster cluster(setup_of(packing, kind), options_of(tolerance, 1, h));
+    cluster.advance(static_cast<std::uint64_t>(std::llround(seconds / h)));
+    return cluster;
+  };
+  constexpr double exact = 1e-10;
+  std::printf("springs, half the step %9.2e radii\n",
+              apart(after("springs", exact, step / 2), after("springs", exact, step)));
+  const Cluster best = after("rigid", exact, step);
+  std::printf("rigid, half the step   %9.2e radii\n", apart(after("rigid", exact, step / 2), best));
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5})
+    std::printf("rigid, %.0e           %9.2e radii\n", tolerance, apart(after("rigid", tolerance, step), best));
+}
+
+// Resident memory of the process [MB].
+double resident() {
+  std::ifstream statm("/proc/self/statm");
+  double all = 0, here = 0;
+  statm >> all >> here;
+  return here * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+// What a grain costs where there are ever more of them: layers that lie on each other, held by springs.
+void sizes() {
+  std::printf("grains   contacts  ms a step  ns a grain  bytes a grain\n");
+  for (const int across : {10, 22, 46, 100}) {
+    const double before = resident();
+    ClusterSetup setup = workloads::packing(across, across, Linear(1e5, 3), Friction(0.5, 0.5, 0));
+    setup.interactions.at({0, 0}).tangential = LinearTangential(3e4, 1);
+    ClusterOptions options = workloads::packing_options();
+    options.records = false;
+    Cluster cluster(setup, options);
+    cluster.advance(100);
+    constexpr int steps = 50;
+    const std::clock_t start = std::clock();
+    cluster.advance(steps);
+    const double ms = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / steps;
+    const auto grains = static_cast<double>(cluster.size());
+    std::printf("%-8zu %8zu %10.4g %11.4g %14.4g\n", cluster.size(), cluster.contacts().size(), ms, 1e6 * ms / grains,
+                1e6 * (resident() - before) / grains);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -186,8 +247,17 @@ int main(int argc, char** argv) {
       run(a[1], a[2], std::stoi(a[3]), std::stod(a[4]), std::stoi(a[5]));
       return 0;
     }
+    if (a.size() == 1 && a[0] == "sizes") {
+      sizes();
+      return 0;
+    }
+    if (a.size() == 3 && a[0] == "accuracy") {
+      accuracy(a[1], std::stod(a[2]));
+      return 0;
+    }
     std::fputs(
-        "packing settle COUNT FILE SECONDS | packing deck FILE STEPS | packing run KIND FILE STEPS TOLERANCE THREADS\n",
+        "packing settle COUNT FILE SECONDS | packing deck FILE STEPS | packing run KIND FILE STEPS TOLERANCE THREADS | "
+        "packing accuracy FILE SECONDS | packing sizes\n",
         stderr);
     return 2;
   } catch (const std::exception& e) {

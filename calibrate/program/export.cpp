@@ -92,7 +92,7 @@ std::optional<ContactSet> contacts_of(const Report& report, std::size_t result) 
 std::vector<Snippet> snippets_of(const Report& report, Engine engine) {
   std::vector<Snippet> snippets;
   for (std::size_t result = 0; result < report.results.size(); ++result)
-    if (const auto set = contacts_of(report, result)) snippets.push_back(export_contacts(engine, *set));
+    if (auto snippet = snippet_of(report, result, engine)) snippets.push_back(*std::move(snippet));
   return snippets;
 }
 
@@ -126,10 +126,7 @@ void require_one(const std::vector<Snippet>& snippets, Engine engine) {
   std::vector<std::string> reasons;
   for (const Snippet& s : snippets) {
     if (s.fidelity != Fidelity::absent) return;
-    std::string reason = s.remarks.empty() ? "that contact never separates there" : s.remarks.front();
-    if (const std::string mark = "NOT WRITTEN: "; reason.starts_with(mark)) reason.erase(0, mark.size());
-    if (reason.ends_with('.')) reason.pop_back();
-    reasons.push_back(fmt::format("{}, ended by {}: {}", name(s.law), text(s.end), reason));
+    reasons.push_back(fmt::format("{}, ended by {}: {}", name(s.law), text(s.end), why_absent(s)));
   }
   if (!reasons.empty())
     throw console::Unreachable(
@@ -148,8 +145,16 @@ std::string text_of(const Report& report, const std::vector<Snippet>& snippets, 
 
 }  // namespace
 
-std::string exported(const Report& report, Engine engine) {
-  return text_of(report, snippets_of(report, engine), engine);
+std::optional<Snippet> snippet_of(const Report& report, std::size_t result, Engine engine) {
+  const auto set = contacts_of(report, result);
+  return set ? std::optional(export_contacts(engine, *set)) : std::nullopt;
+}
+
+std::string why_absent(const Snippet& snippet) {
+  std::string reason = snippet.remarks.empty() ? "that contact never separates there" : snippet.remarks.front();
+  if (const std::string mark = "NOT WRITTEN: "; reason.starts_with(mark)) reason.erase(0, mark.size());
+  if (reason.ends_with('.')) reason.pop_back();
+  return reason;
 }
 
 std::string exported(const std::vector<Snippet>& snippets, Engine engine, console::Format format) {

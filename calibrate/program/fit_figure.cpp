@@ -176,7 +176,8 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
                                                .bottom = foot,
                                                .top = 0.97,
                                                .between_columns = 0.13,
-                                               .between_rows = 0.05}};
+                                               .between_rows = 0.05,
+                                               .down = true}};
   std::string key = "at screen 0.5,0.01 center bottom vertical maxcols 1";  // the first panel's, for all
   for (const Quantity& q : quantities) plot.panels.push_back(upper(q, measured, curves, known, std::exchange(key, "")));
   for (const Quantity& q : quantities) plot.panels.push_back(lower(q, measured, curves, known));
@@ -184,7 +185,7 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
           fmt::format("Measured restitution{} against impact velocity with the fitted laws; below, what they leave "
                       "over.",
                       times ? " and collision times" : ""),
-          console::script_of(plot),
+          plot,
           {{"fit_points.csv", measured.csv()}, {"fit_lines.csv", lines(curves, data, times).csv()}},
           times ? 1000 : 720,
           height,

@@ -260,14 +260,16 @@ std::vector<Table> fit_tables(const FitReport& report) {
 }
 
 /// The page of the laws, with the fit before them.
-std::string page_of(const FitReport& report) {
-  std::string html = "<h2 id=\"fit\">The fit</h2>\n";
+std::string page_of(const FitReport& report, const std::string& command) {
+  std::string html;
   const auto tables = fit_tables(report);
   for (std::size_t i = 0; i < tables.size(); ++i)
     html += console::html_table(tables[i], {.id = fmt::format("fit-{}", i + 1), .shown = 40});
   const auto figure = figure_of(report.fits, report.data);
-  html += console::html_figure(figure, console::svg_of(figure), {});
-  return page_of(*report.run, html);
+  return page_of(*report.run, {.command = command,
+                               .heading = "Contact laws by " + report.run->job.title,
+                               .figure = console::html_figure(figure, console::pictures_of(figure), {}),
+                               .section = html});
 }
 
 std::string rendered(const FitReport& report, console::Format format) {
@@ -359,7 +361,7 @@ console::Exit run_fit(const Options& options) {
   judge_idle_flags(options, report);
   console::Together files;
   if (!options.figures.empty()) console::draw(figure_of(report.fits, report.data), files.folder(options.figures));
-  if (!options.page.empty()) files.file(options.page).write(page_of(report));
+  if (!options.page.empty()) files.file(options.page).write(page_of(report, options.command));
   files.output(options.output.file)
       .write(options.engine.empty() ? rendered(report, options.output.format)
                                     : exported(*report.run, options.engine, options.output.format));

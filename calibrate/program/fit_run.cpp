@@ -109,7 +109,7 @@ std::optional<Report> run_of_fits(const Options& options, const std::vector<Fit>
     report.job.assumptions.push_back(
         fmt::format("impact velocity {} m/s, the middle one of the data (--velocity)", shortest(*asked.velocity)));
   }
-  report.job.title = fmt::format("the fits of {}", options.fit);
+  report.job.title = fmt::format("the fits of {}", options.fit == "-" ? "standard input" : options.fit);
   for (const Fit& fit : fits) add(report, fit, asked, times);
   if (fits.size() == 1 && !calibration::fits(asked.spring, fits.front().request.law))
     throw console::BadInput(report.infeasible.front().reason);

@@ -43,6 +43,7 @@ struct Options {
   std::optional<double> load;      ///< of --load [N]
   std::string materials;           ///< the file of --materials; empty: none
   console::OutputOptions output;
+  std::string command;  ///< all of it, as a shell reads it
 };
 
 /// Adds every option of the program to `app`.

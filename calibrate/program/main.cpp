@@ -72,7 +72,7 @@ console::Exit work(Options& options) {
     throw console::BadInput("--mu: missing: must be given, a coefficient of friction, with --export and --beta0");
   const Report report = run(job, options.settings);
   console::Together files;
-  if (!options.page.empty()) files.file(options.page).write(page_of(report));
+  if (!options.page.empty()) files.file(options.page).write(page_of(report, {.command = options.command}));
   files.output(options.output.file)
       .write(options.engine.empty() ? render(report, options.output.format)
                                     : exported(report, options.engine, options.output.format));
@@ -92,6 +92,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit code 0: done; 1: a row of --targets failed; 2: bad input; 3: the law cannot reach the target; 4: the "
       "computation, or writing its result, failed.");
+  options.command = console::typed(app.get_name(), argc, argv);
   return console::run_program(app, argc, argv, [&] {
     for (const CLI::Option* option : app.get_options())
       if (option->count() > 0) options.given.push_back(option->get_name());

@@ -1,15 +1,17 @@
+#include "page_input.hpp"
 #include "page_tangential.hpp"
 #include "report.hpp"
 
 #include <calibrate/advice.hpp>
-#include <calibrate/export.hpp>
 #include <console/gnuplot.hpp>
 #include <console/html.hpp>
+#include <console/law_colour.hpp>
 #include <console/number.hpp>
 #include <console/panels.hpp>
 
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/trace.hpp>
+#include <ricochet/version.hpp>
 
 #include <fmt/format.h>
 
@@ -96,35 +98,49 @@ struct Stepped {
 std::vector<Stepped> steppings(const Report& report) {
   std::vector<Stepped> all;
   for (const Calibration& r : report.results) {
-    const Stepping stepping = stepping_of(r.law, r.end);
-    all.push_back({title_of(r) + (stepping == Stepping::located ? ", touch located" : ""),
-                   step_errors(r.law, r.end, r.request.target, stepping)});
+    all.push_back({fmt::format("{}, {}", name(r.law), text(r.end)),
+                   step_errors(r.law, r.end, r.request.target, stepping_of(r.law, r.end))});
   }
   return all;
 }
 
+/// Somewhat more than the least and the greatest of positive numbers.
+std::pair<double, double> around(const std::vector<double>& numbers) {
+  const auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
+  return {*least / 1.3, *greatest * 1.3};
+}
+
 console::Figure step_figure(const std::vector<Stepped>& all) {
   console::SeriesFile file("steps.csv", "law,steps,error of en");
-  console::Panel panel{.x = {.label = "time steps a collision, t_{col}/Δt", .log = true},
-                       .y = {.label = "greatest relative error of e_n", .log = true, .format = "%g"},
-                       .key = "outside right center"};
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  console::Panel panel;
+  std::vector<std::string> titles;
+  std::vector<double> steps, errors;
+  for (const Stepped& s : all) {
     file.begin();
-    for (const StepError& e : all[i].errors)
-      if (e.error > 0) file.add(fmt::format("\"{}\",{},{}", all[i].title, e.steps, console::shortest(e.error)));
+    titles.push_back(s.title);
+    for (const StepError& e : s.errors) {
+      if (!(e.error > 0)) continue;
+      file.add(fmt::format("\"{}\",{},{}", s.title, e.steps, console::shortest(e.error)));
+      steps.push_back(e.steps);
+      errors.push_back(e.error);
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
     panel.curves.push_back({.file = file.name(),
                             .rows = file.rows(i),
                             .what = "2:3",
-                            .style = fmt::format("linespoints lt {} ps 0.7", i % 7 + 1),
-                            .title = all[i].title});
-  }
+                            .style = fmt::format("linespoints {} lw 2 pt 7 ps 0.6", console::law_line(titles, i)),
+                            .title = titles[i]});
+  panel.x = {.label = "time steps a collision, t_{col}/Δt", .log = true, .range = around(steps)};
+  panel.y = {.label = "greatest relative error of e_n", .log = true, .range = around(errors), .format = "%g"};
+  const int rows = (static_cast<int>(all.size()) + 1) / 2;
   console::Figure figure{
       .name = "steps",
       .caption = "Greatest error of e_n against the number of time steps a collision, as engines step it.",
-      .script = console::script_of({.panels = {panel}}),
+      .plot = console::with_key_below(panel, rows, 0.15 + 0.045 * rows),
       .data = {file.data()},
       .width = 960,
-      .height = 460};
+      .height = 560};
   const auto last = [](const Stepped& s) { return s.errors.back().steps; };
   const auto worst =
       std::max_element(all.begin(), all.end(), [&](const Stepped& a, const Stepped& b) { return last(a) < last(b); });
@@ -133,70 +149,92 @@ console::Figure step_figure(const std::vector<Stepped>& all) {
   return figure;
 }
 
-std::string snippets(const Report& report) {
-  std::string html = R"(<h2 id="export">For the engines</h2>
-<p>The first law that an engine runs exactly is active, the others are comments.</p>
-)";
-  for (const Engine engine : engines()) {
-    const std::string word(text(engine));
-    html += fmt::format("<h3>{}</h3>\n{}", escaped(version(engine)),
-                        console::html_code("code-" + word, "Input for " + word, exported(report, engine)));
-  }
+/// What the page is: nothing in it was measured, but for what a fit begins with.
+std::string heading_of(const Job& job) {
+  return job.given ? fmt::format("What the law {} does", asked_text(job))
+                   : fmt::format("Contact laws calibrated for {}", asked_text(job));
+}
+
+std::string lead_of(const Report& report) {
+  const Impact& impact = report.job.known.impact;
+  const std::size_t laws = report.results.size(), missed = report.infeasible.size() + report.failed.size();
+  std::string lead =
+      fmt::format("Computed, at {} m/s with an effective mass of {} kg: ", console::shortest(impact.velocity),
+                  console::significant(impact.mass_eff, 9));
+  lead += fmt::format("{} {} by an independent numerical collision",
+                      laws == 1 ? "one contact law" : fmt::format("{} contact laws", laws),
+                      report.job.given ? "followed" : "found, and each proved");
+  return lead + (missed ? fmt::format("; {} out of reach.", missed) : ".");
+}
+
+/// A part of the page under a heading of its own.
+struct Section {
+  std::string id, title, html;
+};
+
+std::string drawn(const console::Figure& figure) {
+  return console::html_figure(figure, console::pictures_of(figure), {});
+}
+
+std::string parameters_of(const Report& report) {
+  std::string html;
+  const auto tables = tables_of(report);
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    html += console::html_table(tables[i], {.id = fmt::format("table-{}", i + 1), .shown = 40});
   return html;
 }
 
-std::string head(const Job& job, const std::string& before) {
-  return fmt::format(
-      R"(<header>
-<h1>Contact laws for a measured rebound</h1>
-<p class="lead">{} at {} m/s, effective mass {} kg</p>
-<p>{}</p>
-</header>
-<main id="content">
-{}<h2 id="parameters">Parameters</h2>
-)",
-      escaped(asked_text(job)), console::shortest(job.known.impact.velocity),
-      console::significant(job.known.impact.mass_eff, 9),
-      job.given ? "What a law of these parameters does."
-                : "Parameters of every contact law that meet this, proved by an independent numerical collision.",
-      before);
+constexpr const char* about_steps =
+    "<p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force from the position at the end of the step and "
+    "the velocity at its middle, a contact found once the bodies overlap. The error is the greatest over eighteen "
+    "places of the first touch within a step. liggghts-ricochet and lammps-ricochet locate touch and end. The table of "
+    "time steps above is read off these curves, but names no step that those two warn of.</p>\n";
+
+std::string as_json(const Report& report) {
+  return fmt::format("<details><summary>ricochet/calibration/1</summary>\n{}</details>\n",
+                     console::html_code("code-json", "The calibration as JSON", json_of(report)));
 }
 
-/// What the laws do: curves, sensitivities, time steps, and the engines' input.
-std::string about_laws(const Report& report) {
-  const auto all = steppings(report);
-  const auto curves = curves_figure(report), steps = step_figure(all);
-  return fmt::format(
-      R"(<h2 id="curves">The collision</h2>
-{}<h2 id="sensitivity">Sensitivity</h2>
-{}<h2 id="step">Which time step</h2>
-<p>Velocity Verlet as LAMMPS, LIGGGHTS and Yade step it: the force from the position at the end of the step)"
-      R"( and the velocity at its middle, a contact found once the bodies overlap. The error is the greatest over)"
-      R"( sixteen places of the first touch within a step. liggghts-ricochet and lammps-ricochet locate touch and end.)"
-      R"( The table of time steps above is read off these curves, but names no step that those two warn of.</p>
-{}{})",
-      console::html_figure(curves, console::svg_of(curves), {}),
-      console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}),
-      console::html_figure(steps, console::svg_of(steps), {}), snippets(report));
+/// Those that have something to say.
+std::vector<Section> sections_of(const Report& report, const PageStart& start) {
+  const bool any = !report.results.empty();
+  std::vector<Section> all{
+      {"fit", "The fit", start.section},
+      {"parameters", "Parameters", parameters_of(report)},
+      {"curves", "The collision", any && !start.figure.empty() ? drawn(curves_figure(report)) : ""},
+      {"export", "For the engines", input_section(report)},
+      {"step", "Which time step", any ? about_steps + drawn(step_figure(steppings(report))) : ""},
+      {"sensitivity", "Sensitivity",
+       any ? console::html_table(sensitivity_table(report), {.id = "sensitivities", .shown = 40}) : ""},
+      {"oblique", "Oblique impacts", oblique_section(report)},
+      {"data", "Everything as JSON", as_json(report)}};
+  std::erase_if(all, [](const Section& section) { return section.html.empty(); });
+  return all;
+}
+
+/// The first screen: what it is, how it looks, how it is made again.
+std::string head(const Report& report, const PageStart& start, const std::string& heading) {
+  const bool own = start.figure.empty() && !report.results.empty();
+  return fmt::format("<header>\n<h1>{}</h1>\n<p class=\"lead\">{}</p>\n{}{}</header>\n", console::html_text(heading),
+                     console::html_text(lead_of(report)), own ? drawn(curves_figure(report)) : start.figure,
+                     console::html_code("command", "The command that makes this page", start.command));
 }
 
 }  // namespace
 
-std::string page_of(const Report& report, const std::string& before) {
-  std::string body = head(report.job, before);
-  const auto tables = tables_of(report);
-  for (std::size_t i = 0; i < tables.size(); ++i)
-    body += console::html_table(tables[i], {.id = fmt::format("table-{}", i + 1), .shown = 40});
-  if (!report.results.empty()) body += about_laws(report);
-  body += oblique_section(report);
-  body += fmt::format(R"(<h2 id="data">Everything as JSON</h2>
-<details><summary>ricochet/calibration/1</summary>
-{}</details>
-</main>
-<footer><p>Ricochet. SI units.</p></footer>
-)",
-                      console::html_code("code-json", "The calibration as JSON", json_of(report)));
-  return console::html_page(fmt::format("Contact laws for {}", asked_text(report.job)), body);
+std::string page_of(const Report& report, const PageStart& start) {
+  const std::string heading = start.heading.empty() ? heading_of(report.job) : start.heading;
+  std::vector<console::HtmlLink> contents;
+  std::string sections;
+  for (const auto& [id, title, html] : sections_of(report, start)) {
+    contents.push_back({"#" + id, title});
+    sections += fmt::format("<h2 id=\"{}\">{}</h2>\n{}<p class=\"back\"><a href=\"#contents\">Contents</a></p>\n", id,
+                            title, html);
+  }
+  return console::html_page(heading, fmt::format("<div class=\"beside\">\n{}{}<main id=\"content\">\n{}</main>\n"
+                                                 "<footer><p>Ricochet {}. SI units.</p></footer>\n</div>\n",
+                                                 head(report, start, heading), console::html_contents(contents),
+                                                 sections, ricochet::version));
 }
 
 }  // namespace ricochet::calibration

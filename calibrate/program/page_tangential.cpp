@@ -2,6 +2,7 @@
 
 #include <console/gnuplot.hpp>
 #include <console/html.hpp>
+#include <console/law_colour.hpp>
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ constexpr double degree = std::numbers::pi / 180;
 struct Line {
   std::string title;
   std::vector<ObliqueRebound> rebounds;
+  std::string style = {};
 };
 
 std::vector<Line> lines_of_laws(const Report& report) {
@@ -30,6 +32,9 @@ std::vector<Line> lines_of_laws(const Report& report) {
     if (!report.tangential[i].rebounds.empty())
       lines.push_back({fmt::format("{}, {}", name(report.results[i].law), text(report.results[i].end)),
                        report.tangential[i].rebounds});
+  std::vector<std::string> titles;
+  for (const Line& line : lines) titles.push_back(line.title);
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i].style = console::law_line(titles, i);
   return lines;
 }
 
@@ -55,24 +60,26 @@ std::vector<Line> lines_of_inputs(const Report& report) {
   add({}, mu);
   for (const double step : {-0.3, 0.3}) add(beta0 + step, mu);
   for (const double factor : {0.5, 2.0}) add({}, factor * mu);
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i].style = fmt::format("lt {}", i + 1);
   return lines;
 }
 
-console::Panel panel_of(const std::string& title, const std::string& file, const std::vector<Line>& lines,
+/// `middle`: of its key, which stands under it, as a share of the picture's width.
+console::Panel panel_of(const std::string& title, double middle, const std::vector<Line>& lines,
                         console::SeriesFile& data) {
   console::Panel panel{.title = title,
                        .x = {.label = "angle from the normal [deg]", .range = std::pair(0.0, 90.0)},
                        .y = {.label = "e_t of the centre", .range = std::pair(0.0, 1.05)},  // 3/7 is the least
-                       .key = "bottom right"};
+                       .key = fmt::format("at screen {},0.01 center bottom vertical maxcols 1", middle)};
   for (std::size_t i = 0; i < lines.size(); ++i) {
     data.begin();
     for (const ObliqueRebound& r : lines[i].rebounds)
       data.add(
           fmt::format("\"{}\",{},{}", lines[i].title, console::shortest(r.angle / degree), console::shortest(r.et)));
-    panel.curves.push_back({.file = file,
+    panel.curves.push_back({.file = data.name(),
                             .rows = data.rows(i),
                             .what = "2:3",
-                            .style = fmt::format("linespoints lt {} ps 0.5", i % 7 + 1),
+                            .style = fmt::format("linespoints {} lw 2 pt 7 ps 0.4", lines[i].style),
                             .title = lines[i].title});
   }
   return panel;
@@ -82,20 +89,22 @@ console::Figure figure_of(const Report& report) {
   console::SeriesFile laws("oblique_laws.csv", "law,angle [deg],et"),
       inputs("oblique_inputs.csv", "inputs,angle [deg],et");
   const auto of_laws = lines_of_laws(report), of_inputs = lines_of_inputs(report);
+  constexpr int height = 420, axis = 90, line = 25;  // pixels; a line of the keys is a curve
+  const int key = line * static_cast<int>(std::max(of_laws.size(), of_inputs.size()));
+  const double foot = static_cast<double>(axis + key) / (height + key);
   const console::Plot plot{
-      .panels = {panel_of("every law", laws.name(), of_laws, laws),
-                 panel_of(of_laws.front().title, inputs.name(), of_inputs, inputs)},
+      .panels = {panel_of("every law", 0.32, of_laws, laws), panel_of(of_laws.front().title, 0.77, of_inputs, inputs)},
       .layout = console::Layout{
-          .rows = 1, .columns = 2, .left = 0.1, .right = 0.98, .bottom = 0.17, .top = 0.92, .between_columns = 0.1}};
+          .rows = 1, .columns = 2, .left = 0.1, .right = 0.98, .bottom = foot, .top = 0.94, .between_columns = 0.1}};
   const auto& first = of_laws.front().rebounds;
   const auto least = std::min_element(first.begin(), first.end(),
                                       [](const ObliqueRebound& a, const ObliqueRebound& b) { return a.et < b.et; });
   return {.name = "oblique",
           .caption = "Tangential restitution of the centre against the angle of impact, without spin before it.",
-          .script = console::script_of(plot),
+          .plot = plot,
           .data = {laws.data(), inputs.data()},
           .width = 1000,
-          .height = 460,
+          .height = height + key,
           .finding = fmt::format("Under {} the centre keeps least of its tangential speed at {} degrees, {}.",
                                  of_laws.front().title, console::significant(least->angle / degree, 3),
                                  console::significant(least->et, 4))};
@@ -128,12 +137,12 @@ Table sensitivity_table(const Report& report) {
 std::string oblique_section(const Report& report) {
   if (report.tangential.empty() || report.tangential.front().rebounds.empty()) return "";
   const auto figure = figure_of(report);
-  return fmt::format(R"(<h2 id="oblique">Oblique impacts</h2>
-<p>At the same speed along the normal; on the right the first law with other inputs. With β₀ held, e_t does not know)"
-                     R"( t_col, μ and e_n show where it slides.</p>
-{}{})",
-                     console::html_figure(figure, console::svg_of(figure), {}),
-                     console::html_table(sensitivity_table(report), {.id = "oblique-sensitivities", .shown = 40}));
+  return fmt::format(
+      "<p>{}</p>\n{}{}",
+      console::html_text("At the same speed along the normal; on the right the first law with other inputs. With beta0 "
+                         "held, e_t does not know t_col, mu and e_n show where it slides."),
+      console::html_figure(figure, console::pictures_of(figure), {}),
+      console::html_table(sensitivity_table(report), {.id = "oblique-sensitivities", .shown = 40}));
 }
 
 }  // namespace ricochet::calibration

@@ -27,9 +27,8 @@ Outcome outcome_of(const Job& job, const Wanted& wanted, const Settings& setting
 std::string range_of(const Infeasible& missed) {
   if (missed.lowest == missed.highest) return console::shortest(missed.lowest);
   return fmt::format("in {}{}, {}{}", missed.low_open ? "(" : "[",
-                     console::bound_text({missed.lowest, console::Bound::lower, missed.low_open}, missed.asked),
-                     console::bound_text({missed.highest, console::Bound::upper, missed.open}, missed.asked),
-                     missed.open ? ")" : "]");
+                     console::bound_text(console::Bound::lower, missed.lowest),
+                     console::bound_text(console::Bound::upper, missed.highest), missed.open ? ")" : "]");
 }
 
 /// The tangential law of a result that was found, or why there is none.

@@ -43,8 +43,11 @@ std::optional<double> rayleigh_of(const Job& job);
 /// "--en = 0.01: must be in [0.2, 1]<under>: <why>"
 std::string explained(const Infeasible& missed, Spelling spelling, const std::string& under = {});
 
-/// The laws found in the language of `engine`, as one file to include; comments alone where it has none of them.
-std::string exported(const Report& report, Engine engine);
+/// One law found in the language of `engine`; nothing where the contact of two grains, which engines want to know too,
+/// reaches no such law.
+std::optional<Snippet> snippet_of(const Report& report, std::size_t result, Engine engine);
+/// Why the engine is not given the law of a snippet that is absent: "MFiX has no plastic loading and unloading".
+std::string why_absent(const Snippet& snippet);
 /// Snippets as one file or as JSON. Throws console::BadInput for another format, console::Unreachable where the engine
 /// can be given none of them.
 std::string exported(const std::vector<Snippet>& snippets, Engine engine, console::Format format);
@@ -72,9 +75,16 @@ console::Json document_of(const Report& report);
 console::Json document_of(const Report& report, StepAdvisor& advisor);
 std::string json_of(const Report& report);
 
-/// The same and more as one page that loads nothing, `before` (HTML) ahead of it: curves, sensitivity, time steps,
-/// export snippets.
-std::string page_of(const Report& report, const std::string& before = {});
+/// What a page begins with.
+struct PageStart {
+  std::string command;       ///< that makes it
+  std::string heading = {};  ///< without: by what was asked for
+  std::string figure = {};   ///< HTML; without: the collision
+  std::string section = {};  ///< HTML ahead of the parameters
+};
+
+/// The same and more as one page that loads nothing: the collision, the engines' input, sensitivity, time steps.
+std::string page_of(const Report& report, const PageStart& start);
 
 std::string render(const Report& report, console::Format format);
 

@@ -71,9 +71,19 @@ std::string words_of(const std::vector<Label>& labels) {
   return words;
 }
 
+std::string share(double value) { return fixed(value, 3); }
+
+std::string words_of(const Box& box) {
+  return fmt::format(
+      "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at "
+      "screen {}\n",
+      share(box.left), share(box.right), share(box.bottom), share(box.top));
+}
+
 /// All but its curves.
 std::string surroundings_of(const Panel& panel) {
-  return (panel.title.empty() ? "unset title\n" : fmt::format("set title {} offset 0,-0.5\n", quoted(panel.title))) +
+  return (panel.box ? words_of(*panel.box) : "") +
+         (panel.title.empty() ? "unset title\n" : fmt::format("set title {} offset 0,-0.5\n", quoted(panel.title))) +
          words_of('x', panel.x) + words_of('y', panel.y) + words_of(panel.labels) + words_of(panel.polygons) +
          (panel.key.empty() ? "unset key\n" : fmt::format("set key {}\n", panel.key)) +
          (panel.room.empty() ? "unset offsets\n" : fmt::format("set offsets {}\n", panel.room)) +
@@ -92,7 +102,6 @@ std::string key_alone(std::vector<Curve> curves, const std::string& place) {
 }
 
 std::string words_of(const Layout& layout) {
-  const auto share = [](double value) { return fixed(value, 3); };
   return fmt::format("set multiplot layout {},{} margins {},{},{},{} spacing {},{}\n", layout.rows, layout.columns,
                      share(layout.left), share(layout.right), share(layout.bottom), share(layout.top),
                      share(layout.between_columns), share(layout.between_rows));
@@ -112,11 +121,12 @@ Plot with_key_below(Panel panel, int rows, double below) {
 }
 
 std::string script_of(const Plot& plot) {
-  std::string script = plot.layout ? words_of(*plot.layout) : "";
+  const bool several = plot.layout || plot.panels.front().box;
+  std::string script = plot.layout ? words_of(*plot.layout) : several ? "set multiplot\n" : "";
   for (const Panel& panel : plot.panels) script += words_of(panel);
   if (!plot.key_panel.empty())
     script += key_alone(plot.key.empty() ? plot.panels.front().curves : plot.key, plot.key_panel);
-  return plot.layout ? script + "unset multiplot\n" : script;
+  return several ? script + "unset multiplot\n" : script;
 }
 
 }  // namespace ricochet::console

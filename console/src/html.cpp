@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t wide_cell = 36;  ///< characters from which on a column may wrap
 
-/// The SVG as an address of its own. Only what would end the attribute or the address is encoded: it stays readable.
+/// The SVG as an address of its own. Only what would end the attribute or the address is encoded, and space, which ends
+/// one of several addresses: it stays readable.
 std::string as_address(const std::string& svg) {
   std::string address = "data:image/svg+xml;charset=utf-8,";
   for (const char c : svg) switch (c) {
@@ -23,7 +24,8 @@ std::string as_address(const std::string& svg) {
       case '>': address += "%3E"; break;
       case '&': address += "%26"; break;
       case '\n': address += "%0A"; break;
-      case '\t': address += ' '; break;
+      case ' ':
+      case '\t': address += "%20"; break;
       default: address += c;
     }
   return address;
@@ -66,10 +68,10 @@ std::string one_row(const Table& table, std::size_t row, const std::vector<std::
                     const TableView& view) {
   std::string html = "<tr>";
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    const bool raw = i == 0 && !view.raw_first.empty();
+    const bool raw = row < view.raw.size() && i < view.raw[row].size();
     const std::string plain = shown(table.rows()[row][i], table.columns()[i].notation);
     // A number can be copied as it stands.
-    const std::string cell = raw ? view.raw_first[row] : table.right_aligned(i) ? escaped(plain) : html_text(plain);
+    const std::string cell = raw ? view.raw[row][i] : table.right_aligned(i) ? escaped(plain) : html_text(plain);
     html += i == 0 && !cell.empty() ? fmt::format(R"(<th scope="row"{}>{}</th>)", classes[i], cell)
                                     : fmt::format("<td{}>{}</td>", classes[i], cell);
   }
@@ -140,28 +142,38 @@ std::string html_table(const Table& table, const TableView& view) {
   return html;
 }
 
-std::string html_figure(const Figure& figure, const std::string& svg, const std::vector<HtmlLink>& links) {
+std::string html_figure(const Figure& figure, const Pictures& pictures, const std::vector<HtmlLink>& links) {
   const std::string finding = figure.finding.empty() ? figure.caption : figure.finding;
   const std::string source = links.empty() ? "" : fmt::format(R"(<br><span class="soft">{}</span>)", linked(links));
-  return fmt::format(
-      R"(<figure><div class="picture" tabindex="0" role="group" aria-label="{name}"><img src="{address}")"
-      R"( width="{width}" height="{height}" alt="{finding}"></div>
+  return fmt::format(R"html(<figure><picture><source media="(max-width:40rem)" srcset="{narrow}">)html"
+                     R"(<img src="{wide}" width="{width}" height="{height}" alt="{finding}"></picture>
 <figcaption>{caption}{said}{source}</figcaption></figure>
 )",
-      fmt::arg("name", escaped(fmt::format("Picture {}", figure.name))), fmt::arg("address", as_address(svg)),
-      fmt::arg("width", figure.width), fmt::arg("height", figure.height), fmt::arg("finding", escaped(finding)),
-      fmt::arg("caption", html_text(figure.caption)),
-      fmt::arg("said", figure.finding.empty() ? "" : fmt::format(" {}", html_text(figure.finding))),
-      fmt::arg("source", source));
+                     fmt::arg("narrow", as_address(pictures.narrow)), fmt::arg("wide", as_address(pictures.wide)),
+                     fmt::arg("width", figure.width), fmt::arg("height", figure.height),
+                     fmt::arg("finding", escaped(finding)), fmt::arg("caption", html_text(figure.caption)),
+                     fmt::arg("said", figure.finding.empty() ? "" : fmt::format(" {}", html_text(figure.finding))),
+                     fmt::arg("source", source));
+}
+
+std::string html_contents(const std::vector<HtmlLink>& links) {
+  std::string list;
+  for (const HtmlLink& link : links)
+    list += fmt::format("<li><a href=\"{}\">{}</a></li>\n", escaped(link.address), html_text(link.text));
+  return fmt::format("<nav class=\"contents\" id=\"contents\" aria-label=\"Contents\">\n<ul>\n{}</ul>\n</nav>\n", list);
+}
+
+std::string html_copy(std::string_view id, std::string_view label) {
+  return fmt::format(R"(<button type="button" hidden data-copy="{}" aria-label="Copy {}">Copy</button>)", id,
+                     escaped(label));
 }
 
 std::string html_code(std::string_view id, std::string_view label, std::string_view text) {
-  return fmt::format(
-      R"(<div class="code"><div class="bar"><span>{label}</span><span><span class="soft" role="status"></span>)"
-      R"( <button type="button" hidden data-copy="{id}" aria-label="Copy {label}">Copy</button></span></div>)"
-      R"(<pre tabindex="0" role="region" aria-label="{label}"><code id="{id}">{text}</code></pre></div>
+  return fmt::format(R"(<div class="code"><div class="bar"><span>{label}</span>{copy}</div>)"
+                     R"(<pre tabindex="0" role="region" aria-label="{label}"><code id="{id}">{text}</code></pre></div>
 )",
-      fmt::arg("label", escaped(label)), fmt::arg("id", id), fmt::arg("text", escaped(text)));
+                     fmt::arg("label", escaped(label)), fmt::arg("copy", html_copy(id, label)), fmt::arg("id", id),
+                     fmt::arg("text", escaped(text)));
 }
 
 std::string html_page(std::string_view title, std::string_view body, const PageParts& own) {

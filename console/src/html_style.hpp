@@ -6,9 +6,9 @@ namespace ricochet::console {
 /// lines.
 inline constexpr const char* page_style = R"css(
 :root{color-scheme:light dark;--ground:#fbfaf8;--sheet:#fff;--ink:#1d2026;--soft:#555b66;--line:#d9d7d1;--link:#0a569b;
---pass:#17633a;--fail:#a3161b;--mark:#f3f1ec}
+--pass:#17633a;--fail:#a3161b;--mark:#f3f1ec;--shade:#0003}
 @media (prefers-color-scheme:dark){:root{--ground:#121418;--sheet:#1b1e24;--ink:#e4e6ea;--soft:#a9b0bc;--line:#363b45;
---link:#8fc7f7;--pass:#83d7a6;--fail:#ff9b93;--mark:#23272f}}
+--link:#8fc7f7;--pass:#83d7a6;--fail:#ff9b93;--mark:#23272f;--shade:#fff4}}
 *{box-sizing:border-box}
 html{font-size:clamp(16px,.55vw + 10px,28px);scroll-behavior:auto;-webkit-text-size-adjust:100%}
 body{margin:0;background:var(--ground);color:var(--ink);font:1rem/1.55 system-ui,"DejaVu Sans",sans-serif;
@@ -48,8 +48,12 @@ sup,sub{line-height:0;font-size:.75em}
 .contents ul{display:block}.back{display:none}}
 nav ul{list-style:none;margin:.8rem 0;padding:0;display:flex;flex-wrap:wrap;gap:.25rem 1.2rem}
 nav a{display:inline-block;padding:.2rem 0}
-.scroll{overflow-x:auto;max-width:100%;margin:1rem 0 .4rem;background:var(--sheet);border:1px solid var(--line);
-  border-radius:.3rem}
+.scroll{overflow-x:auto;width:fit-content;max-width:100%;margin:1rem 0 .4rem;border:1px solid var(--line);
+  border-radius:.3rem;
+  background:linear-gradient(to right,var(--sheet) 40%,transparent) left/2.5rem 100% no-repeat local,
+  linear-gradient(to left,var(--sheet) 40%,transparent) right/2.5rem 100% no-repeat local,
+  linear-gradient(to right,var(--shade),transparent) left/.9rem 100% no-repeat,
+  linear-gradient(to left,var(--shade),transparent) right/.9rem 100% no-repeat,var(--sheet)}
 table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums;line-height:1.35;
   min-width:min(100%,24rem)}
 caption{text-align:left;font-weight:600;padding:.7rem .8rem .5rem;position:sticky;left:0;max-width:calc(100vw - 2.5rem)}
@@ -65,8 +69,8 @@ td,th.n{white-space:nowrap}
 details{margin:.5rem 0}
 summary{cursor:pointer;color:var(--link);padding:.2rem 0}
 figure{margin:1.6rem 0}
-figure img{display:block;width:100%;min-width:36rem;height:auto}
-.picture{overflow-x:auto;background:var(--sheet);border:1px solid var(--line);border-radius:.3rem;padding:.5rem}
+figure img{display:block;width:100%;height:auto}
+figure picture{display:block;background:var(--sheet);border:1px solid var(--line);border-radius:.3rem;padding:.5rem}
 figcaption{font-size:.93rem;margin-top:.5rem;max-width:46rem}
 .code{position:relative;margin:.6rem 0 1.2rem}
 pre{margin:0;padding:.9rem 1rem;overflow:auto;max-height:32rem;background:var(--sheet);border:1px solid var(--line);
@@ -75,25 +79,45 @@ font:.85rem/1.45 ui-monospace,"DejaVu Sans Mono",monospace;overflow-wrap:normal}
 .code .bar{display:flex;justify-content:space-between;align-items:center;gap:1rem;margin-bottom:.3rem}
 button{font:inherit;font-size:.88rem;padding:.25rem .9rem;color:var(--ink);background:var(--mark);
   border:1px solid var(--soft);
-border-radius:.3rem;cursor:pointer;white-space:nowrap}
+border-radius:.3rem;cursor:pointer;white-space:nowrap;min-width:5.2rem}
+td button{margin-left:.4rem;padding:0 .3rem;min-width:3.9rem}
+@media (max-width:40rem){figure img{max-width:30rem;margin:0 auto}}
 @media (max-width:30rem){.facts{grid-template-columns:1fr}.facts dt{margin-top:.4rem}}
 @media print{:root{color-scheme:light;--ground:#fff;--sheet:#fff;--ink:#000;--soft:#444;--line:#bbb;--link:#000;
   --pass:#000;--fail:#000;--mark:#eee}
 html{font-size:10pt}.skip,button,nav{display:none}figure,tr{break-inside:avoid}h2,h3,caption{break-after:avoid}
-.scroll,.picture,pre{overflow:visible;max-height:none}pre{white-space:pre-wrap}figure img{min-width:0}}
+.scroll,pre{overflow:visible;max-height:none}pre{white-space:pre-wrap}}
 )css";
 
-/// Without it, or without permission to use the clipboard, the text is selected and can be copied by hand.
+/// Copying: without permission to use the clipboard the text is selected and can be copied by hand. A link to what is
+/// folded opens it.
 inline constexpr const char* page_script = R"js(
-for(const button of document.querySelectorAll('button[data-copy]')){
-  const status=button.previousElementSibling;
-  button.hidden=false;
-  button.addEventListener('click',async()=>{
-    const code=document.getElementById(button.dataset.copy);
-    try{await navigator.clipboard.writeText(code.textContent);status.textContent='Copied'}
-    catch{getSelection().selectAllChildren(code);status.textContent='Selected: press Ctrl+C'}
-    setTimeout(()=>{status.textContent=''},2500);
-  });
+{
+  const status=document.createElement('div');
+  status.setAttribute('role','status');
+  status.className='skip';
+  document.body.append(status);
+  const reveal=element=>{const closed=element?.closest('details');if(closed)closed.open=true};
+  const label=(button,words)=>{
+    button.setAttribute('aria-label',button.getAttribute('aria-label').replace(button.textContent,words));
+    button.textContent=words;
+  };
+  const say=(button,words)=>{
+    label(button,words);
+    status.textContent=words;
+    setTimeout(()=>{label(button,'Copy');status.textContent=''},2500);
+  };
+  for(const button of document.querySelectorAll('button[data-copy]')){
+    button.hidden=false;
+    button.addEventListener('click',async()=>{
+      const code=document.getElementById(button.dataset.copy);
+      try{await navigator.clipboard.writeText(code.textContent);say(button,'Copied')}
+      catch{reveal(code);getSelection().selectAllChildren(code);say(button,'Selected: press Ctrl+C')}
+    });
+  }
+  const follow=()=>reveal(document.getElementById(location.hash.slice(1)));
+  addEventListener('hashchange',follow);
+  follow();
 }
 )js";
 

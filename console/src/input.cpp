@@ -11,9 +11,28 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
+#include <string_view>
 #include <system_error>
 
 namespace ricochet::console {
+
+namespace {
+
+/// Bytes of the character that begins here, 0 where none does: no surrogates, nothing longer than it need be.
+std::size_t character_at(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const bool longer = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
+  const bool none = (first == 0xed && byte(1) >= 0xa0) || (first == 0xf4 && byte(1) >= 0x90);
+  return longer || none ? 0 : length;
+}
+
+}  // namespace
 
 std::string read_input(const std::string& path) {
   const auto unreadable = [&] {
@@ -38,6 +57,19 @@ std::string read_input(const std::string& path) {
     require_small(got);
     if (n == 0) return text.resize(got), text;
   }
+}
+
+std::string read_text(const std::string& path) {
+  std::string text = read_input(path);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_at(std::string_view(text).substr(at));
+    if (length == 0)
+      throw BadInput(fmt::format("{}:{}: byte 0x{:02x} is not UTF-8: must be a text in UTF-8", path,
+                                 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'),
+                                 static_cast<unsigned char>(text[at])));
+    at += length;
+  }
+  return text;
 }
 
 }  // namespace ricochet::console

@@ -1,6 +1,10 @@
 #include <console/law_colour.hpp>
 #include <console/plot.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace ricochet::console {
 
 const char* law_colour(std::string_view words) noexcept {
@@ -23,6 +27,13 @@ const char* law_colour(std::string_view words) noexcept {
   for (const Named& n : named)
     if (n.law == law) return n.colour;
   return palette::gray;
+}
+
+std::string law_line(const std::vector<std::string>& titles, std::size_t at) {
+  const std::string_view colour = law_colour(titles[at]);
+  const auto before = std::count_if(titles.begin(), titles.begin() + static_cast<std::ptrdiff_t>(at),
+                                    [&](const std::string& title) { return law_colour(title) == colour; });
+  return fmt::format("lc rgb '{}' dt {}", colour, before + 1);
 }
 
 }  // namespace ricochet::console

@@ -52,7 +52,7 @@ class Writer {
 
   std::string html() {
     while (at_ < text_.size())
-      if (!exponent() && !index() && !power_of_ten() && !alpha()) html_ += text_[at_++];
+      if (!exponent() && !index() && !power_of_ten() && !symbol()) html_ += text_[at_++];
     return html_;
   }
 
@@ -90,6 +90,12 @@ class Writer {
     return true;
   }
 
+  /// Ten to a power needs no "1·" before it.
+  bool follows_lone_one() const {
+    if (!html_.ends_with('1')) return false;
+    return at_ == 1 || (!std::isalnum(static_cast<unsigned char>(text_[at_ - 2])) && text_[at_ - 2] != '.');
+  }
+
   /// 8.8e-02 after its digits
   bool power_of_ten() {
     if (text_[at_] != 'e' || at_ == 0 || !std::isdigit(static_cast<unsigned char>(text_[at_ - 1]))) return false;
@@ -100,20 +106,33 @@ class Writer {
     while (last < text_.size() && std::isdigit(static_cast<unsigned char>(text_[last]))) ++last;
     if (last == end || (last < text_.size() && (is_word(text_[last]) || !is_ascii(text_[last])))) return false;
     while (end + 1 < last && text_[end] == '0') ++end;
-    html_ += "·10<sup>" + std::string(negative ? "−" : "") + std::string(text_.substr(end, last - end)) + "</sup>";
+    if (follows_lone_one())
+      html_.pop_back();
+    else
+      html_ += "·";
+    html_ += "10<sup>" + std::string(negative ? "−" : "") + std::string(text_.substr(end, last - end)) + "</sup>";
     at_ = last;
     return true;
   }
 
-  /// The word, but not in a flag or a name.
-  bool alpha() {
-    constexpr std::string_view word = "alpha";
-    if (!text_.substr(at_).starts_with(word) || !begins_word()) return false;
-    const std::size_t end = at_ + word.size();
-    if (end < text_.size() && text_[end] != '-' && is_word(text_[end])) return false;
-    html_ += "α";
-    at_ = end;
-    return true;
+  /// alpha, tcol, en: a word that is a symbol's name, but not in a flag or in a longer name.
+  bool symbol() {
+    struct Symbol {
+      std::string_view word, html;
+    };
+    static constexpr Symbol symbols[] = {
+        {"alpha", "α"}, {"beta0", "<i>β</i><sub>0</sub>"}, {"en", "<i>e</i><sub>n</sub>"}, {"mu", "μ"},
+        {"nu", "ν"},    {"tcol", "<i>t</i><sub>col</sub>"}};
+    if (!begins_word()) return false;
+    for (const auto& [word, html] : symbols) {
+      if (!text_.substr(at_).starts_with(word)) continue;
+      const std::size_t end = at_ + word.size();
+      if (end < text_.size() && text_[end] != '-' && is_word(text_[end])) continue;
+      html_ += html;
+      at_ = end;
+      return true;
+    }
+    return false;
   }
 
   static std::string signed_text(std::string_view exponent) {

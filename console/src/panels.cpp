@@ -15,6 +15,7 @@ namespace {
 struct Prefix {
   std::string factor;  ///< from SI to the axis, as gnuplot reads it
   std::string letter;
+  double scale;  ///< the factor
 };
 
 /// The prefix that brings `greatest` between 1 and 1000.
@@ -22,7 +23,7 @@ Prefix prefix_for(double greatest) {
   constexpr const char* letters[] = {"f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
   const int exponent = greatest > 0 ? static_cast<int>(std::floor(std::log10(greatest) / 3)) : 0;
   const int n = std::clamp(exponent, -5, 4);
-  return {fmt::format("1e{}", -3 * n), letters[n + 5]};
+  return {fmt::format("1e{}", -3 * n), letters[n + 5], std::pow(10.0, -3 * n)};
 }
 
 SeriesFile file_of(const std::string& name, const std::vector<Motion>& motions) {
@@ -36,26 +37,22 @@ SeriesFile file_of(const std::string& name, const std::vector<Motion>& motions) 
   return file;
 }
 
-/// In the law's colour, dashed where that has been drawn before: of two ends of one law the second.
-std::string style_of(const std::vector<Motion>& motions, std::size_t i) {
-  const std::string_view colour = law_colour(motions[i].title);
-  const auto before = std::count_if(motions.begin(), motions.begin() + static_cast<std::ptrdiff_t>(i),
-                                    [&](const Motion& m) { return law_colour(m.title) == colour; });
-  return fmt::format("lines lc rgb '{}' lw 2.2 dt {}", colour, before + 1);
-}
-
 /// One quantity over time under every law.
 Panel panel_of(const std::vector<Motion>& motions, const SeriesFile& file, const Prefix& time, const std::string& label,
-               int column, const std::string& factor) {
-  Panel panel{.x = {.label = fmt::format("time since the first touch [{}s]", time.letter), .label_offset = "0,0.3"},
+               int column, const std::string& factor, double until) {
+  Panel panel{.x = {.label = fmt::format("time since the first touch [{}s]", time.letter),
+                    .range = std::pair(0.0, 1.03 * until * time.scale),
+                    .label_offset = "0,0.3"},
               .y = {.label = label, .label_offset = "1,0"},
               .room = "graph 0,0.02,0.03,0",
               .zero_line = true};
+  std::vector<std::string> titles;
+  for (const Motion& motion : motions) titles.push_back(motion.title);
   for (std::size_t i = 0; i < motions.size(); ++i)
     panel.curves.push_back({.file = file.name(),
                             .rows = file.rows(i),
                             .what = fmt::format("($2*{}):(${}*{})", time.factor, column, factor),
-                            .style = style_of(motions, i),
+                            .style = fmt::format("lines {} lw 2.2", law_line(titles, i)),
                             .title = motions[i].title});
   return panel;
 }
@@ -73,21 +70,21 @@ Figure collision_panels(const std::string& name, const std::string& caption, con
   const Prefix time = prefix_for(greatest.time), overlap = prefix_for(greatest.overlap),
                force = prefix_for(greatest.force);
   const SeriesFile file = file_of(name + ".csv", motions);
-  const Plot plot{
-      .panels = {panel_of(motions, file, time, fmt::format("overlap [{}m]", overlap.letter), 3, overlap.factor),
-                 panel_of(motions, file, time, "velocity [m/s]", 4, "1"),
-                 panel_of(motions, file, time, fmt::format("force [{}N]", force.letter), 5, force.factor)},
-      .layout = Layout{.rows = 2,
-                       .columns = 2,
-                       .left = 0.09,
-                       .right = 0.97,
-                       .bottom = 0.10,
-                       .top = 0.97,
-                       .between_columns = 0.11,
-                       .between_rows = 0.13},
-      .key_panel = "at graph 0.06,0.94 left top font ',15' spacing 1.5 samplen 3"};
-  return {
-      .name = name, .caption = caption, .script = script_of(plot), .data = {file.data()}, .width = 960, .height = 680};
+  const Plot plot{.panels = {panel_of(motions, file, time, fmt::format("overlap [{}m]", overlap.letter), 3,
+                                      overlap.factor, greatest.time),
+                             panel_of(motions, file, time, "velocity [m/s]", 4, "1", greatest.time),
+                             panel_of(motions, file, time, fmt::format("force [{}N]", force.letter), 5, force.factor,
+                                      greatest.time)},
+                  .layout = Layout{.rows = 2,
+                                   .columns = 2,
+                                   .left = 0.09,
+                                   .right = 0.97,
+                                   .bottom = 0.10,
+                                   .top = 0.97,
+                                   .between_columns = 0.11,
+                                   .between_rows = 0.13},
+                  .key_panel = "at graph 0.06,0.98 left top font ',13' spacing 1.1 samplen 3 maxcols 1"};
+  return {.name = name, .caption = caption, .plot = plot, .data = {file.data()}, .width = 960, .height = 680};
 }
 
 }  // namespace ricochet::console

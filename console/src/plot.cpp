@@ -1,3 +1,5 @@
+#include "stacked.hpp"
+#include "svg_corners.hpp"
 #include "svg_theme.hpp"
 
 #include <console/child.hpp>
@@ -60,7 +62,8 @@ bool complains(const std::string& words) {
 }
 
 std::string picture(const Figure& figure, const std::string& terminal, const std::string& folder) {
-  const Ran ran = gnuplot(fmt::format("set terminal {}\n{}{}\n", terminal, house_style, figure.script), folder);
+  const Ran ran =
+      gnuplot(fmt::format("set terminal {}\n{}{}\n", terminal, house_style, script_of(figure.plot)), folder);
   if (ran.status != 0 || complains(ran.err) || ran.out.empty())
     throw Failed(fmt::format("gnuplot, figure {}: {}", figure.name, why(ran)));
   return ran.out;
@@ -115,15 +118,17 @@ std::string without_time(std::string pdf) {
   return pdf;
 }
 
+std::string svg(const Figure& figure, const std::string& folder) {
+  return themed(with_fewer_corners(picture(figure, svg_terminal(figure), folder)), figure.caption, figure.finding);
+}
+
 /// The figure's data in a folder that passes: where gnuplot runs.
 class Workshop {
  public:
   explicit Workshop(const Figure& figure) : figure_(figure) {
     for (const DataFile& data : figure.data) folder_.write(data.name, data.bytes);
   }
-  std::string svg() const {
-    return themed(picture(figure_, svg_terminal(figure_), folder_.path()), figure_.caption, figure_.finding);
-  }
+  Pictures pictures() const { return {svg(figure_, folder_.path()), svg(stacked(figure_), folder_.path())}; }
   std::string png() const { return with_resolution(picture(figure_, png_terminal(figure_), folder_.path())); }
   std::string pdf() const { return without_time(picture(figure_, pdf_terminal(figure_), folder_.path())); }
 
@@ -134,18 +139,18 @@ class Workshop {
 
 }  // namespace
 
-std::string draw(const Figure& figure, OutputFolder& folder) {
+Pictures draw(const Figure& figure, OutputFolder& folder) {
   const Workshop workshop(figure);
-  std::string svg = workshop.svg();
+  Pictures pictures = workshop.pictures();
   const std::string png = workshop.png(), pdf = workshop.pdf();
   for (const DataFile& data : figure.data) folder.add(data.name, data.bytes);
-  folder.add(figure.name + ".svg", svg);
+  folder.add(figure.name + ".svg", pictures.wide);
   folder.add(figure.name + ".png", png);
   folder.add(figure.name + ".pdf", pdf);
-  return svg;
+  return pictures;
 }
 
-std::string svg_of(const Figure& figure) { return Workshop(figure).svg(); }
+Pictures pictures_of(const Figure& figure) { return Workshop(figure).pictures(); }
 
 std::string gnuplot_version() {
   const Ran ran = gnuplot("set print '-'\nprint GPVAL_VERSION, ' patchlevel ', GPVAL_PATCHLEVEL\n", ".");

@@ -153,6 +153,12 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
+std::string typed(const std::string& program, int argc, const char* const* argv) {
+  std::string line = run_as(program);
+  for (int i = 1; i < argc; ++i) line += " " + shell_word(argv[i]);
+  return line;
+}
+
 int run_program(CLI::App& app, int argc, const char* const* argv, const std::function<Exit()>& body) {
   occupy_standard_descriptors();
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);

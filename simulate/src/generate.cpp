@@ -94,8 +94,8 @@ void put_on_lattice(Order& order, const PourRegion& region, Crowd& crowd) {
   const double closest = 2 * order.largest;
   const double spacing = entry.has("spacing") ? entry.at("spacing").positive() : closest;
   if (spacing < closest)
-    entry.at("spacing").reject(fmt::format("at least {} m, twice the greatest radius",
-                                           console::bound_text({closest, console::Bound::lower}, spacing)));
+    entry.at("spacing").reject(
+        fmt::format("at least {} m, twice the greatest radius", console::bound_text(console::Bound::lower, closest)));
   const double jitter = entry.has("jitter") ? entry.at("jitter").not_negative() : 0;
   if (jitter > 1) entry.at("jitter").reject("in [0, 1]");
   const Vec3 size = region.high() - region.low();

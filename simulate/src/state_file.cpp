@@ -84,8 +84,7 @@ double time_or_never(const Node& node, double earliest, double latest) {
 double no_greater(const Node& node, double most, const char* unit) {
   const double value = node.number();
   if (!(std::abs(value) <= most))
-    node.reject(fmt::format("at most {} {} in size",
-                            console::bound_text({most, console::Bound::upper}, std::abs(value), 3), unit));
+    node.reject(fmt::format("at most {} {} in size", console::bound_text(console::Bound::upper, most, 3), unit));
   return value;
 }
 
@@ -101,7 +100,7 @@ std::vector<Vec3> read_vectors(const Node& node, const Scene& scene, const Prese
     const double longest = most(scene.sphere(present[k]));
     if (all.push_back(one.vector()); !(norm(all.back()) <= longest))
       one.reject(fmt::format("a vector of at most {} {}, as the scene lets it become by then",
-                             console::bound_text({longest, console::Bound::upper}, norm(all.back()), 3), unit));
+                             console::bound_text(console::Bound::upper, longest, 3), unit));
   }
   return all;
 }

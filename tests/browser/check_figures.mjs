@@ -1,14 +1,24 @@
-// Every figure in a folder, as Chromium draws it: no text leaves the picture, lies on another text, or has a curve
-// running through it.
+// Every figure in a folder, or in a page with those for phones, as Chromium draws it: no text leaves the picture, lies
+// on another text, or has a curve running through it.
 //
-//     node check_figures.mjs FOLDER MODULES
+//     node check_figures.mjs FOLDER|PAGE.html MODULES
 
 import {readFileSync, readdirSync} from 'node:fs';
 import {join} from 'node:path';
 
 import {browser_path, load_playwright, quiet} from './launch.mjs';
 
-const [folder, modules] = process.argv.slice(2);
+const [place, modules] = process.argv.slice(2);
+
+/// Names and SVG.
+function figures() {
+  if (!place.endsWith('.html'))
+    return readdirSync(place).filter(name => name.endsWith('.svg')).sort()
+      .map(name => [name, readFileSync(join(place, name), 'utf8')]);
+  const carried = / (srcset|src)="data:image\/svg\+xml;charset=utf-8,([^"]*)"/g;
+  return [...readFileSync(place, 'utf8').matchAll(carried)].map(([, kind, address], i) =>
+    [`picture ${i + 1}${kind === 'srcset' ? ', for a phone' : ''}`, decodeURIComponent(address)]);
+}
 
 /// In the page: what is wrong with its one figure. Boxes shrink by what a font leaves free around its letters.
 function complaints() {
@@ -56,10 +66,10 @@ function complaints() {
 
 const browser = await load_playwright(modules).chromium.launch({executablePath: browser_path(), args: quiet});
 const page = await browser.newPage({viewport: {width: 1280, height: 1600}});
-const files = readdirSync(folder).filter(name => name.endsWith('.svg')).sort();
+const files = figures();
 let failed = 0;
-for (const name of files) {
-  const svg = readFileSync(join(folder, name), 'utf8').replace(/^<\?xml[^]*?\?>|<!DOCTYPE[^>]*>/g, '');
+for (const [name, written] of files) {
+  const svg = written.replace(/^<\?xml[^]*?\?>|<!DOCTYPE[^>]*>/g, '');
   await page.setContent(`<!DOCTYPE html><body style="margin:0">${svg}</body>`);
   const {texts, found} = await page.evaluate(complaints);
   if (texts === 0) found.push('no text at all');
@@ -67,6 +77,6 @@ for (const name of files) {
   failed += found.length > 0;
 }
 await browser.close();
-if (files.length === 0) console.error(`${folder} has no figure`);
+if (files.length === 0) console.error(`${place} has no figure`);
 console.log(`${files.length} figures, ${failed} with something to complain of`);
 process.exit(failed > 0 || files.length === 0 ? 1 : 0);

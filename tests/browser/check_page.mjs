@@ -1,8 +1,9 @@
 // Opens a page in headless Chromium and holds it against what the reports promise:
 //   node check_page.mjs PAGE.html MODULES [SHOTS]
-// no error in the console, no request to any network, every picture there, every link leading somewhere, nothing wider
-// than the window from 320 to 3840 pixels, an order of focus that follows the page, and no finding of axe-core in
-// light or dark. MODULES holds node_modules; SHOTS, if given, receives screenshots.
+// no error in the console, no request to any network, every picture there and legible on a phone, every link leading
+// somewhere and opening what is folded there, nothing wider than the window from 320 to 3840 pixels, an order of focus
+// that follows the page, and no finding of axe-core in light or dark.
+// MODULES holds node_modules; SHOTS, if given, receives screenshots.
 
 import {existsSync, mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -41,6 +42,39 @@ async function check_pictures(page) {
   for (const alt of missing) report('picture missing or without alternative text', alt);
 }
 
+/// On a phone each figure has a picture of its own, whose letters are not much smaller than they were drawn.
+async function check_phone(page, scheme) {
+  await page.setViewportSize({width: 390, height: 844});
+  const small = await page.evaluate(async () => {
+    const found = [];
+    for (const image of document.querySelectorAll('figure img')) {
+      await image.decode();
+      const [, width] = /viewBox="0 0 (\d+)/.exec(decodeURIComponent(image.currentSrc)) ?? [];
+      const scale = image.clientWidth / Number(width);
+      if (image.currentSrc === image.src || !(scale >= 0.75))
+        found.push(`${image.alt.slice(0, 60)}: ${scale.toFixed(2)}`);
+    }
+    return found;
+  });
+  for (const picture of small) report(`picture on a phone, ${scheme}`, picture);
+}
+
+/// A link to what is folded opens it.
+async function check_folds(page) {
+  const folded = await page.evaluate(() => {
+    const inside = [...document.querySelectorAll('a[href^="#"]')].find(
+      link => document.getElementById(link.getAttribute('href').slice(1))?.closest('details:not([open])'));
+    inside?.setAttribute('data-checked', '');
+    return Boolean(inside);
+  });
+  if (!folded) return;
+  const link = page.locator('a[data-checked]');
+  await link.click();
+  await page.waitForTimeout(50);
+  const shown = await link.evaluate(a => document.getElementById(a.getAttribute('href').slice(1)).checkVisibility());
+  if (!shown) report('link', `${await link.getAttribute('href')} leaves folded what it leads to`);
+}
+
 /// Everything that can be focused comes in the order of the page, and the focus never gets stuck.
 async function check_keyboard(page) {
   const focusable = 'a[href],button:not([hidden]),summary,[tabindex="0"]';
@@ -55,13 +89,13 @@ async function check_keyboard(page) {
 }
 
 async function check_copying(page) {
-  const button = page.locator('button[data-copy]').first();
-  if (!await button.count()) return;
-  await button.click();
-  const copied = await page.evaluate(() => navigator.clipboard.readText());
-  const wanted = await page.evaluate(
-    () => document.getElementById(document.querySelector('button[data-copy]').dataset.copy).textContent);
-  if (copied !== wanted) report('copy button', 'the clipboard does not hold the text');
+  for (const button of await page.locator('button[data-copy]:visible').all()) {
+    await button.click();
+    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    const [id, wanted] = await button.evaluate(
+      ({dataset}) => [dataset.copy, document.getElementById(dataset.copy).textContent]);
+    if (copied !== wanted) report('copy button', `the clipboard does not hold ${id}`);
+  }
 }
 
 async function check_axe(page, scheme) {
@@ -95,8 +129,10 @@ try {
       await check_links(page);
       await check_keyboard(page);
       await check_copying(page);
+      await check_folds(page);
     }
-    for (const width of [320, 768, 1440, 3840]) {
+    await check_phone(page, scheme);
+    for (const width of [320, 390, 768, 1440, 3840]) {
       await page.setViewportSize({width, height: width > 2000 ? 2160 : 900});
       const wide = await page.evaluate(
         () => document.documentElement.scrollWidth - document.documentElement.clientWidth);

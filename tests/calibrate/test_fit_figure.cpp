@@ -50,7 +50,8 @@ TEST_CASE("the residuals of a fit are measured less fitted, in standard errors, 
   // Below, e_n left and t_col right, a curve each: its column of either.
   std::set<std::string> drawn;
   const std::regex residual("'fit_points.csv' skip 1 using 1:(\\d+) with points pt 7 ps 0.7");
-  for (std::sregex_iterator at(figure.script.begin(), figure.script.end(), residual), end; at != end; ++at)
+  const std::string script = console::script_of(figure.plot);
+  for (std::sregex_iterator at(script.begin(), script.end(), residual), end; at != end; ++at)
     drawn.insert(points[0].at(std::stoul((*at)[1].str()) - 1));
   CHECK(drawn == std::set<std::string>(points[0].begin() + 5, points[0].end()));
   const auto lines = rows_of(figure.data.at(1).bytes);

@@ -197,6 +197,8 @@ double dashpot(Approach a) { return 0.1 * a.rate; }
 double nothing(Approach) { return 0; }
 double gives_way(Approach a) { return 0.1 * a.rate * std::max(0.0, 1 - a.overlap / 1e-5); }
 double no_number(Approach a) { return a.overlap > 1e-6 ? std::numeric_limits<double>::quiet_NaN() : 7000 * a.overlap; }
+constexpr double clamped_damping = 0.05;
+double clamped(Approach a) { return std::max(0.0, 5000 * a.overlap + clamped_damping * a.rate); }
 double bent(Approach a) { return 7000 * a.overlap + std::max(0.0, 7000 * (a.overlap - 5e-6)); }
 
 // What `collide` takes, at compile time: a law of any kind and AnyLaw itself, but nothing that merely converts to it.
@@ -256,6 +258,10 @@ TEST_CASE("a law of a user's own, with memory, collides as its exact solution") 
       CAPTURE(end, kappa, tau);
       check_agrees(collide(StandardSolid(k, kappa, tau), impact, {.end = end}), exact_solid(k, kappa, tau, end));
     }
+}
+
+TEST_CASE("a law that stays at 0 once it has let go ends where it lets go") {
+  check_agrees(collide(Formula<clamped>{}, impact), collide(Linear(5000, clamped_damping), impact));
 }
 
 TEST_CASE("the units of a generic collision do not matter") {

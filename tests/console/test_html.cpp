@@ -27,9 +27,12 @@ TEST_CASE("mathematics is set as people write it, and names stay what they are")
   CHECK(html_text("kg/(s^2 m^(1/2)), s^(alpha-2), 10^-4 s, t^p") ==
         "kg/(s<sup>2</sup> m<sup>1/2</sup>), s<sup>α-2</sup>, 10<sup>−4</sup> s, t<sup>p</sup>");
   CHECK(html_text("K D^a z^1.5. x^2.") == "K D<sup>a</sup> z<sup>1.5</sup>. x<sup>2</sup>.");
-  CHECK(html_text("--alpha 0.5, alpha_max, 1e30, 2.5e+05") ==
-        "--alpha 0.5, alpha_max, 1·10<sup>30</sup>, "
-        "2.5·10<sup>5</sup>");
+  CHECK(html_text("--alpha 0.5, alpha_max, 1e30, 2.5e+05, 1e-04, -1e6, 1.1e2, 21e2") ==
+        "--alpha 0.5, alpha_max, 10<sup>30</sup>, 2.5·10<sup>5</sup>, 10<sup>−4</sup>, -10<sup>6</sup>, "
+        "1.1·10<sup>2</sup>, 21·10<sup>2</sup>");
+  CHECK(html_text("tcol = 1 s, en, beta0, mu and nu; --en, en_sigma, tcol.csv, ten") ==
+        "<i>t</i><sub>col</sub> = 1 s, <i>e</i><sub>n</sub>, <i>β</i><sub>0</sub>, μ and ν; --en, en_sigma, "
+        "<i>t</i><sub>col</sub>.csv, ten");
   CHECK(html_text("a < b^2 & x^") == "a &lt; b<sup>2</sup> &amp; x^");
   CHECK(html_text("P(EC)2E, 3e, 0x1e5z, (^(") == "P(EC)2E, 3e, 0x1e5z, (^(");
 }
@@ -50,13 +53,36 @@ TEST_CASE("a table in a page has a caption, headers with units, and hides what i
 }
 
 TEST_CASE("a figure in a page carries its picture and says its finding") {
-  const Figure figure{.name = "line", .caption = "A line.", .script = "plot x", .data = {}, .finding = "It rises."};
-  const std::string svg = svg_of(figure);
+  const Figure figure{.name = "line",
+                      .caption = "A line.",
+                      .plot = {.panels = {{.curves = {{.what = "x", .style = "lines"}}}}},
+                      .finding = "It rises."};
+  const Pictures pictures = pictures_of(figure);
+  const std::string& svg = pictures.wide;
   CHECK(svg.find("<title>A line.</title>") != std::string::npos);
   CHECK(svg.find("<desc>It rises.</desc>") != std::string::npos);
   CHECK(svg.find("prefers-color-scheme:dark") != std::string::npos);
-  const std::string html = html_figure(figure, svg, {});
+  const std::string html = html_figure(figure, pictures, {});
   CHECK(html.find("alt=\"It rises.\"") != std::string::npos);
   CHECK(html.find("src=\"data:image/svg+xml") != std::string::npos);
   CHECK(html.find("<svg") == std::string::npos);
+  // A list of addresses ends each at a space.
+  const auto narrow = html.find("<source media=\"(max-width:40rem)\" srcset=\"data:image/svg+xml"),
+             end = html.find("\">", narrow);
+  REQUIRE(narrow != std::string::npos);
+  CHECK(html.find(' ', html.find("srcset=", narrow)) > end);
+}
+
+TEST_CASE("a cell can be HTML of its own, its neighbours stay text, and code has a button that copies it") {
+  Table table({{"law"}, {"engine"}, {"k"}}, "t");
+  table.row({"a", "b", "<c>"});
+  table.row({"d", "e", "f"});
+  const std::string html = html_table(table, {.id = "t", .raw = {{"<b>A</b>", html_copy("x", "it & all")}}});
+  CHECK(html.find("<tr><th scope=\"row\"><b>A</b></th><td><button type=\"button\" hidden data-copy=\"x\" "
+                  "aria-label=\"Copy it &amp; all\">Copy</button></td><td>&lt;c&gt;</td></tr>") != std::string::npos);
+  CHECK(html.find("<th scope=\"row\">d</th><td>e</td>") != std::string::npos);
+  const std::string code = html_code("x", "it", "a < b");
+  CHECK(code.find("data-copy=\"x\"") != std::string::npos);
+  CHECK(code.find("<code id=\"x\">a &lt; b</code>") != std::string::npos);
+  CHECK(html_contents({{"#a", "alpha"}}).find("<li><a href=\"#a\">α</a></li>") != std::string::npos);
 }

@@ -1,3 +1,5 @@
+#include "../../console/src/stacked.hpp"
+#include "../../console/src/svg_corners.hpp"
 #include "../../console/src/svg_theme.hpp"
 #include "temporary_folder.hpp"
 
@@ -33,6 +35,11 @@ std::uint32_t crc_of(std::string_view bytes) {
   return ~crc;
 }
 
+/// A figure of one panel with this curve.
+Figure figure_of(const std::string& name, const Curve& curve, const std::vector<DataFile>& data = {}) {
+  return {.name = name, .caption = "", .plot = {.panels = {{.curves = {curve}, .key = "top left"}}}, .data = data};
+}
+
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < 4; ++i) number = number << 8 | static_cast<unsigned char>(bytes.at(at + i));
@@ -46,10 +53,8 @@ TEST_CASE("gnuplot draws SVG and, as large in print, PDF and PNG beside the data
   ::setenv("LC_ALL", locale, 1);
   const TemporaryFolder folder;
   OutputFolder plots(folder / "plots");
-  draw({"line",
-        "A straight line",
-        "plot 'line.csv' skip 1 using 1:2 with lines title 'ζ [µm]'",
-        {{"line.csv", "x,y\n0,0\n1,1\n"}}},
+  draw(figure_of("line", {.file = "line.csv", .what = "1:2", .style = "lines", .title = "ζ [µm]"},
+                 {{"line.csv", "x,y\n0,0\n1,1\n"}}),
        plots);
   plots.commit();
   ::unsetenv("LC_ALL");
@@ -128,33 +133,36 @@ TEST_CASE("gnuplot draws what panels describe, with the key in a panel of its ow
   const Plot plot{.panels = {panel},
                   .layout = Layout{.rows = 1, .columns = 2, .left = 0.1, .right = 0.9, .bottom = 0.1, .top = 0.9},
                   .key_panel = "left top"};
-  const std::string svg = svg_of({"two", "Two lines", script_of(plot), {two.data()}});
+  const auto [svg, narrow] = pictures_of({"two", "Two lines", plot, {two.data()}});
   CHECK(svg.find("it's") != std::string::npos);
   CHECK(svg.find("other") != std::string::npos);
-  CHECK_THROWS_AS(svg_of({"two", "", script_of(plot), {{"two.csv", "t,f\n"}}}), Failed);  // nothing to draw
+  CHECK(narrow.find("other") != std::string::npos);
+  CHECK_THROWS_AS(pictures_of({"two", "", plot, {{"two.csv", "t,f\n"}}}), Failed);  // nothing to draw
 }
 
 TEST_CASE("gnuplot's complaint is reported and nothing is drawn") {
   const TemporaryFolder folder;
   {
     OutputFolder plots(folder.path());
-    CHECK_THROWS_WITH(draw({"bad", "", "plot nonsense(", {}}, plots), Catch::Contains("gnuplot, figure bad"));
-    CHECK_THROWS_AS(draw({"empty", "", "plot 'none.csv'", {}}, plots), Failed);
+    CHECK_THROWS_WITH(draw(figure_of("bad", {.what = "nonsense(", .style = "lines"}), plots),
+                      Catch::Contains("gnuplot, figure bad"));
+    CHECK_THROWS_AS(draw(figure_of("empty", {.file = "none.csv", .what = "1:2", .style = "lines"}), plots), Failed);
     plots.commit();
   }
   CHECK(folder.count() == 0);
 }
 
 TEST_CASE("what a user has set for gnuplot does not get into a figure") {
-  const Figure figure{"line", "", "plot 'line.csv' using 1:2 with lines", {{"line.csv", "0,0\n1,1\n"}}};
-  const std::string plain = svg_of(figure);
+  const Figure figure =
+      figure_of("line", {.file = "line.csv", .what = "1:2", .style = "lines"}, {{"line.csv", "x,y\n0,0\n1,1\n"}});
+  const std::string plain = pictures_of(figure).wide;
   const TemporaryFolder home;
   std::ofstream(home / ".gnuplot") << "set title 'mine'\nset terminal nonsense\n";
   const std::string before = std::getenv("HOME") ? std::getenv("HOME") : "";
   ::setenv("HOME", home.path().c_str(), 1);
   ::setenv("GNUTERM", "nonsense", 1);
   ::setenv("FONTCONFIG_FILE", "/none", 1);
-  const std::string theirs = svg_of(figure);
+  const std::string theirs = pictures_of(figure).wide;
   for (const char* name : {"GNUTERM", "FONTCONFIG_FILE"}) ::unsetenv(name);
   ::setenv("HOME", before.c_str(), 1);
   CHECK(theirs == plain);
@@ -164,14 +172,14 @@ TEST_CASE("a machine without gnuplot gets the package's name") {
   const TemporaryFolder folder;
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", folder.path().c_str(), 1);
-  CHECK_THROWS_WITH(svg_of({"x", "", "plot x", {}}), Catch::Contains("gnuplot-nox"));
+  CHECK_THROWS_WITH(pictures_of(figure_of("x", {.what = "x", .style = "lines"})), Catch::Contains("gnuplot-nox"));
   ::setenv("PATH", path.c_str(), 1);
 }
 
 TEST_CASE("a collision's panels have the prefix of the greatest value of all curves, whichever comes first") {
   const Motion strong{"strong", {{0, 0, 1, 0}, {2e-4, 3e-6, 0, 4e3}, {5e-4, 0, -1, 0}}};
   const Motion weak{"weak", {{0, 0, 1, 0}, {2e-6, 3e-9, 0, 4}}};
-  const std::string script = collision_panels("c", "", {strong, weak}).script;
+  const std::string script = script_of(collision_panels("c", "", {strong, weak}).plot);
   CHECK(script.find("time since the first touch [µs]") != std::string::npos);
   CHECK(script.find("overlap [µm]") != std::string::npos);
   CHECK(script.find("force [kN]") != std::string::npos);
@@ -202,15 +210,114 @@ TEST_CASE("a law has one colour, whatever words stand behind its name, and no tw
   CHECK(colours.size() == ricochet::Laws::size);
 }
 
+TEST_CASE("the key of a collision names every curve of every law and end, and its time ends where they do") {
+  const std::vector<Moment> moments{{0, 0, 1, 0}, {0.5, 1, 0, 1}, {1, 0, -1, 0}};
+  std::vector<Motion> motions{{"linear, ended by overlap", moments}};
+  for (const std::string_view law : ricochet::Laws::names)
+    motions.push_back({std::string(law) + ", ended by force", moments});
+  const Figure figure = collision_panels("laws", "", motions);
+  const std::string svg = pictures_of(figure).wide;
+  for (const Motion& motion : motions) {
+    INFO(motion.title);
+    CHECK(svg.find(">" + motion.title + "<") != std::string::npos);
+  }
+  CHECK(script_of(figure.plot).find("set xrange [0:1.03]") != std::string::npos);
+}
+
 TEST_CASE("a law that is drawn twice is dashed the second time") {
   const std::vector<Moment> moments{{0, 0, 1, 0}, {1, 1, 0, 1}};
   const Figure figure = collision_panels("laws", "", {{"linear1", moments}, {"tsuji", moments}, {"linear2", moments}});
+  const std::string script = script_of(figure.plot);
   const auto drawn = [&](const char* colour, int dash) {
-    return figure.script.find(std::string("lc rgb '") + colour + "' lw 2.2 dt " + std::to_string(dash)) !=
+    return script.find(std::string("lc rgb '") + colour + "' dt " + std::to_string(dash) + " lw 2.2") !=
            std::string::npos;
   };
   CHECK(drawn(palette::blue, 1));
   CHECK(drawn(palette::blue, 2));
   CHECK(drawn(palette::orange, 1));
   CHECK_FALSE(drawn(palette::orange, 2));
+}
+
+TEST_CASE("on a phone panels stand one below another, with both axes each and the key under the first") {
+  const auto panel = [](const char* y, bool labelled) {
+    return Panel{.x = {.label = labelled ? "t" : "", .range = std::pair(0.0, 1.0), .format = labelled ? "%g" : ""},
+                 .y = {.label = y},
+                 .curves = {{.what = "x", .style = "lines", .title = "a"}, {.what = "1-x", .style = "lines"}}};
+  };
+  Figure figure{.name = "grid",
+                .caption = "",
+                .plot = {.panels = {panel("f", false), panel("", false), panel("g", true), panel("", true)},
+                         .layout = Layout{.rows = 2, .columns = 2, .bottom = 0.1, .top = 0.9},
+                         .key_panel = "left top"},
+                .width = 1000,
+                .height = 500};
+  const auto labels = [&] {
+    std::string all;
+    for (const Panel& p : stacked(figure).plot.panels) all += p.x.label + p.y.label;
+    return all;
+  };
+  CHECK(labels() == "tftftgtg");
+  figure.plot.layout->down = true;
+  CHECK(labels() == "tftgtftg");
+  const Figure narrow = stacked(figure);
+  CHECK(narrow.width < 480);
+  CHECK(narrow.plot.panels.front().x.format == "%g");
+  const double panel_height = 500 * 0.8 / 2;
+  double above = 1;  // the lower end of the panel before, of the picture
+  for (const Panel& p : narrow.plot.panels) {
+    CHECK(narrow.height * (p.box->top - p.box->bottom) == Approx(panel_height));
+    CHECK(p.box->top < above);
+    above = p.box->bottom;
+  }
+  CHECK(above > 0);
+  // The key of all has one line, between the first panel and the second.
+  const auto& panels = narrow.plot.panels;
+  const double gap = panels[0].box->bottom - panels[1].box->top, other = panels[1].box->bottom - panels[2].box->top;
+  CHECK(narrow.height * (gap - other) == Approx(25));
+  CHECK(narrow.plot.key_panel.find("at screen 0.5,") == 0);
+  CHECK_FALSE(pictures_of(figure).narrow.empty());
+}
+
+TEST_CASE("on a phone a key that stood beside its panel stands under it, one within stays") {
+  const auto panel = [](const char* key) {
+    return Panel{
+        .curves = {{.what = "x", .style = "lines", .title = "a"}, {.what = "1", .style = "lines", .title = "b"}},
+        .key = key};
+  };
+  const Figure figure{.name = "keys",
+                      .caption = "",
+                      .plot = {.panels = {panel("top left"), panel("outside right center"), panel("")},
+                               .layout = Layout{.rows = 1, .columns = 3, .bottom = 0.1, .top = 0.9}}};
+  const auto panels = stacked(figure).plot.panels;
+  CHECK(panels[0].key == "top left");
+  CHECK(panels[1].key.find("at screen 0.5,") == 0);
+  CHECK(panels[2].key.empty());
+  const auto gap = [&](std::size_t i) { return panels[i].box->bottom - (i < 2 ? panels[i + 1].box->top : 0); };
+  CHECK(stacked(figure).height * (gap(1) - gap(0)) == Approx(2 * 25));
+}
+
+TEST_CASE("lines keep the corners that show, each within a tenth of a pixel, and groups that hold something") {
+  // A parabola whose chords of n pixels sag by n^2/8000: those of 28 may stay, no steeper than 0.4.
+  std::string path = "M0.00,0.00";
+  for (int i = 1; i <= 400; ++i) path += " L" + std::to_string(i) + ".00," + std::to_string(i * i / 2000.0);
+  const auto drawn = [](const std::string& d) { return "<svg><path stroke='black' d='" + d + "'/></svg>"; };
+  const std::string thin = with_fewer_corners(drawn(path));
+  std::vector<double> kept;
+  for (auto at = thin.find_first_of("ML"); at != std::string::npos; at = thin.find_first_of("ML", at + 1))
+    kept.push_back(std::stod(thin.substr(at + 1)));
+  CHECK(kept.front() == 0);
+  CHECK(kept.back() == 400);
+  CHECK(kept.size() > 400 / 31);
+  CHECK(kept.size() < 400 / 14);
+  for (std::size_t i = 1; i < kept.size(); ++i) CHECK(kept[i] - kept[i - 1] < 31);
+
+  CHECK(with_fewer_corners(drawn("M0,0 L5,0.05 L10,0 L10,10 \t\n")) == drawn("M0,0 L10,0 L10,10"));
+  CHECK(with_fewer_corners(drawn("M0,0 L5,0.2 L10,0")) == drawn("M0,0 L5,0.2 L10,0"));
+  // Closed, and several in one; there and back is a line too.
+  CHECK(with_fewer_corners(drawn("M0,0 L5,0 L9,0 L9,9 Z M1,1 L3,1 L2,1")) == drawn("M0,0 L9,0 L9,9 Z M1,1 L3,1 L2,1"));
+  const std::string arc = drawn("M-1,0 h2 M0,-1 v2"), numbers = drawn("M1,1 L2,x");
+  CHECK(with_fewer_corners(arc) == arc);
+  CHECK(with_fewer_corners(numbers) == numbers);
+  CHECK(with_fewer_corners("<g fill=\"none\">\n</g>\n<g id=\"a\"><g id=\"b\"></g><text/></g>") ==
+        "<g id=\"a\"><text/></g>");
 }

@@ -182,4 +182,6 @@ TEST_CASE("a hint names the command that was run, and its words as a shell reads
     ::pclose(shell);
     CHECK(std::string(said.data(), length) == text);
   }
+  const char* const words[] = {"/usr/bin/calibrate", "--with", "k=1 N/m", "--en", "0.5"};
+  CHECK(typed("calibrate", 5, words) == "calibrate --with 'k=1 N/m' --en 0.5");
 }

@@ -5,6 +5,8 @@
 #include "../console/temporary_folder.hpp"
 #include "console_blocks.hpp"
 
+#include <ricochet/version.hpp>
+
 #include <sys/wait.h>
 
 #include <catch2/catch.hpp>
@@ -157,6 +159,15 @@ TEST_CASE("the shell of the job for CI runs, and leaves the files that the job k
 TEST_CASE("the README's C++ is the example that the installed library builds") {
   const std::string readme = read_file(root / "README.md");
   CHECK(readme.find("```cpp\n" + read_file(root / "docs/examples/restitution.cpp") + "```\n") != std::string::npos);
+}
+
+TEST_CASE("the citation and the newest changes are those of this version") {
+  const std::string version = ricochet::version;
+  CHECK(read_file(root / "CITATION.cff").find("\nversion: " + version + "\n") != std::string::npos);
+  const std::string changes = read_file(root / "CHANGELOG.md");
+  std::smatch released;
+  REQUIRE(std::regex_search(changes, released, std::regex(R"(\n## \[([0-9.]+)\])")));
+  CHECK(released[1].str() == version);
 }
 
 TEST_CASE("every key of a JSON document is described") {

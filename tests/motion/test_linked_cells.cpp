@@ -2,6 +2,7 @@
 #include <ricochet/motion/linked_cells.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace ricochet;
@@ -46,6 +47,29 @@ TEST_CASE("linked cells find the pairs that comparing all finds, on thousands of
     found += ours.size();
   }
   CHECK(found > 100'000);
+}
+
+TEST_CASE("linked cells find the pairs of grains beside boulders") {
+  std::mt19937_64 random(3);
+  for (const double smallest : {0.25, 0.05, 1e-3}) {
+    std::uniform_real_distribution<double> place(-0.5, 0.5), logarithm(std::log(smallest), 0);
+    std::size_t found = 0;
+    for (int scene = 0; scene < 200; ++scene) {
+      Spheres s;
+      for (int k = 0; k < 80; ++k) {
+        s.positions.push_back({place(random), place(random), place(random)});
+        s.radii.push_back(0.2 * std::exp(logarithm(random)));
+      }
+      const double skin = scene % 2 == 0 ? 0.0 : 0.2 * smallest / 3;
+      const auto ours = near_pairs(s.positions, s.radii, skin);
+      REQUIRE(ours == all_pairs(s, skin));
+      found += ours.size();
+    }
+    CHECK(found > 1000);
+  }
+  // Of sizes whose ratio is no double.
+  const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}};
+  CHECK(near_pairs(positions, std::vector<double>{1e-320, 1, 1e-310}, 0) == std::vector<NearPair>{{0, 1}, {1, 2}});
 }
 
 TEST_CASE("spheres may fly anywhere") {

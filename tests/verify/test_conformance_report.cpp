@@ -3,6 +3,8 @@
 
 #include "../../verify/conformance/badge.hpp"
 #include "../../verify/conformance/causes.hpp"
+#include "../../verify/conformance/groups.hpp"
+#include "../../verify/conformance/matrix.hpp"
 #include "../../verify/conformance/page.hpp"
 #include "../../verify/conformance/ricochet_run.hpp"
 #include "../../verify/conformance/show.hpp"
@@ -15,6 +17,9 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 
@@ -29,11 +34,7 @@ const std::string stored = RICOCHET_SOURCE_DIR "/data/conformance";
 EngineGrade grades_of(const Results& results) {
   static const std::vector<Answered> all = answered(all_cases());
   EngineGrade engine{results, {}};
-  for (const Answered& one : all) {
-    const CaseResult* result = results.find(one.of.name);
-    engine.cases.push_back(grade(one, result));
-    if (result) engine.cases.back().causes = causes(one, *result, engine.cases.back());
-  }
+  for (const Answered& one : all) engine.cases.push_back(explained(one, results.find(one.of.name)));
   return engine;
 }
 
@@ -97,8 +98,7 @@ TEST_CASE("conformance: short words for a grade") {
   const Answered a = answered_case("wall-elastic");
   const auto of = [&](const auto& error) {
     const CaseResult result = off_by(a, a.of.steps, error);
-    CaseGrade g = grade(a, &result);
-    g.causes = causes(a, result, g);
+    const CaseGrade g = explained(a, &result);
     return std::pair(in_short(g), why(g));
   };
   CHECK(of([](int) { return 0.0; }) == std::pair<std::string, std::string>("exact", ""));
@@ -117,13 +117,11 @@ TEST_CASE("conformance: short words for a grade") {
 TEST_CASE("conformance: tables and JSON of several engines") {
   const std::vector<EngineGrade> engines{grades_of(read_results(stored + "/lammps-29Sep2021.csv", all_cases())),
                                          grades_of(read_results(stored + "/yade-2023.02a.csv", all_cases()))};
-  const console::Table counts = engine_table(engines), beside = side_by_side(engines, Heads::names),
-                       all = grade_table(engines);
+  const console::Table counts = engine_table(engines), beside = side_by_side(engines), all = grade_table(engines);
   CHECK(counts.rows().size() == 2);
   CHECK(beside.rows().size() == all_cases().size());
   CHECK(beside.columns().size() == 3);
-  CHECK(beside.columns()[2].name == "Yade 2023.02a");
-  CHECK(side_by_side(engines, Heads::numbers).columns()[2].name == "2");
+  CHECK(beside.columns()[2].name == "2");
   CHECK(all.rows().size() == 2 * all_cases().size());
   for (const auto& row : counts.rows()) {
     std::int64_t sum = 0;
@@ -141,31 +139,149 @@ TEST_CASE("conformance: tables and JSON of several engines") {
   CHECK(double(overlap["energy"]["limit"]) > double(overlap["energy"]["exact"]));
 }
 
+namespace {
+
+/// "#rrggbb" of the badge's right half.
+std::array<int, 3> colour_of(const EngineGrade& engine) {
+  const std::string svg = badge(engine), before = "height=\"22\" fill=\"#";
+  const std::size_t at = svg.find(before, svg.find("333333")) + before.size();
+  std::array<int, 3> parts{};
+  for (std::size_t i = 0; i < 3; ++i) parts[i] = std::stoi(svg.substr(at + 2 * i, 2), nullptr, 16);
+  return parts;
+}
+
+/// An engine of which so many cases are right, wrong and not run.
+EngineGrade made_of(std::size_t right, std::size_t wrong, std::size_t not_run) {
+  EngineGrade engine{{"E", "1", "", ""}, {}};
+  for (const auto& [count, verdict] : {std::pair(right, Verdict::converges), std::pair(wrong, Verdict::elsewhere),
+                                       std::pair(not_run, Verdict::not_run)})
+    for (std::size_t i = 0; i < count; ++i) engine.cases.push_back({.verdict = verdict});
+  return engine;
+}
+
+double distance(std::array<int, 3> a, std::array<int, 3> b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+}  // namespace
+
 TEST_CASE("conformance: the badge counts what was run") {
   const EngineGrade yade = grades_of(read_results(stored + "/yade-2023.02a.csv", all_cases()));
   CHECK(file_stem(yade.results) == "yade-2023-02a");
-  const std::string svg = badge(yade);
-  CHECK(has(svg, fmt::format("Yade 2023.02a: {} of {} cases right", yade.right(), yade.run())));
-  CHECK(has(svg, "fill=\"#e69f00\""));
+  CHECK(has(badge(yade), fmt::format("Yade 2023.02a: {} of {} right, {} not run", yade.right(), yade.run(),
+                                     yade.count(Verdict::not_run))));
   CHECK(yade.run() + yade.count(Verdict::not_run) == yade.cases.size());
-  const EngineGrade ours = grades_of(read_results(stored + "/simulate-0.1.0.csv", all_cases()));
-  CHECK(ours.right() == ours.run());
-  CHECK(has(badge(ours), "fill=\"#56b4e9\""));
+  CHECK(has(badge(made_of(50, 0, 0)), "E 1: 50 of 50 right<"));
+  // Steps that are too coarse tell nothing.
+  EngineGrade coarse = made_of(3, 0, 0);
+  coarse.cases.front().verdict = Verdict::too_coarse;
+  CHECK(has(badge(coarse), "2 of 2 right, 1 not run"));
   // An engine's name is text.
   EngineGrade odd{{"<b>", "1&2", "", ""}, {}};
   CHECK(has(badge(odd), "&lt;b&gt; 1&amp;2"));
-  CHECK(has(badge(odd), "fill=\"#e69f00\""));
+}
+
+TEST_CASE("conformance: the badge's colour is by the share that is right and by how much was run") {
+  const auto blue = colour_of(made_of(50, 0, 0)), orange = colour_of(made_of(0, 50, 0)),
+             gray = colour_of(made_of(0, 0, 50));
+  CHECK(blue == std::array{0x56, 0xb4, 0xe9});
+  CHECK(orange == std::array{0xe6, 0x9f, 0x00});
+  CHECK(gray == std::array{0xdd, 0xdd, 0xdd});
+  CHECK(colour_of({{"E", "1", "", ""}, {}}) == gray);
+  // Right in all three that it ran of 50 is nearly gray, and the more was run the bluer it is.
+  double before = 0;
+  for (const std::size_t ran : {3, 10, 25, 40}) {
+    const auto colour = colour_of(made_of(ran, 0, 50 - ran));
+    CHECK(distance(colour, gray) > before);
+    CHECK(distance(colour, gray) == Approx(static_cast<double>(ran) / 50 * distance(blue, gray)).margin(2));
+    before = distance(colour, gray);
+  }
+  for (const std::size_t right : {10, 25, 40})
+    CHECK(distance(colour_of(made_of(right, 50 - right, 0)), orange) ==
+          Approx(static_cast<double>(right) / 50 * distance(blue, orange)).margin(2));
 }
 
 TEST_CASE("conformance: the page says what is right, what is not and why, and where the cases are from") {
-  const EngineGrade yade = grades_of(read_results(stored + "/yade-2023.02a.csv", all_cases()));
-  const std::string page = conformance_page({yade}, {{"version", "Ricochet 0"}});
+  std::vector<EngineGrade> engines;
+  for (const char* name : {"yade-2023.02a", "lammps-29Sep2021", "yade-2025.2.0"})
+    engines.push_back(grades_of(read_results(stored + "/" + name + ".csv", all_cases())));
+  const EngineGrade& yade = engines.front();
+  const std::string page = conformance_page(engines, {{"version", "Ricochet 0"}});
   CHECK(has(page, fmt::format("{} of the {} cases that it ran converge", yade.right(), yade.run())));
   CHECK(has(page, "All that was run is right in: torsion, floor"));
-  CHECK(has(page, "attraction is clipped"));
-  CHECK(has(page, "<dt>does not converge</dt><dd>the values do not settle, and u is above 1 %</dd>"));
+  CHECK(has(page,
+            "<dt><span class=\"sign wander\">✗ no limit</span>does not converge</dt><dd>the values do not settle, "
+            "and u is above 1 %</dd>"));
   for (const Case& c : all_cases()) CHECK(has(page, ">" + c.name + "<"));
   CHECK_FALSE(has(page, "http-equiv"));
+  CHECK(has(page, "<img src=\"data:image/svg+xml"));
+  const auto count = [&](const std::string& what) {
+    std::size_t n = 0;
+    for (std::size_t at = page.find(what); at != std::string::npos; at = page.find(what, at + 1)) ++n;
+    return n;
+  };
+  // One cell an engine and case, in the colour of its verdict.
+  std::size_t cells = 0;
+  for (const Verdict v : verdicts) {
+    std::size_t graded = 0;
+    for (const EngineGrade& e : engines) graded += e.count(v);
+    CHECK(count(fmt::format("<td class=\"{}\"", colour_class(v))) == graded);
+    cells += graded;
+  }
+  CHECK(cells == 3 * all_cases().size());
+  // Versions of which all that is shown is the same have a section together, and each cause is told once for both.
+  CHECK(count("<h2 id=\"engine-yade") == 1);
+  CHECK(has(page, ">Yade 2023.02a, 2025.2.0</h2>"));
+  CHECK(has(page, "<span id=\"engine-yade-2025-2-0\"></span>"));
+  CHECK(count("<th scope=\"row\" class=\"wide\">contacts end by force: attraction is clipped") == 1);
+  CHECK(count(">ViscElPhys has no torsion<") == 1);
+}
+
+TEST_CASE("conformance: engines are put together by all that is shown of them") {
+  const Results results = read_results(stored + "/yade-2023.02a.csv", all_cases());
+  std::vector<EngineGrade> engines{grades_of(results), grades_of(results), grades_of(results)};
+  engines[1].results.version = "2";
+  engines[2].results.engine = "Other";
+  CHECK(grouped(engines).size() == 1);
+  CHECK(labels(grouped(engines).front()) == "Yade 2023.02a, 2; Other 2023.02a");
+  for (Graded& g : engines[1].cases[0].answers) g.error[0] *= 2;
+  REQUIRE(grouped(engines).size() == 2);
+  CHECK(grouped(engines)[0].size() == 2);
+  // A reason is one only where it is of the same cases.
+  const auto why = reasons(engines, {Verdict::not_run});
+  CHECK(std::all_of(why.begin(), why.end(), [](const Reason& r) { return r.engines.size() == 3; }));
+  CHECK(why.size() == 5);
+}
+
+TEST_CASE("conformance: what the printed digits leave open is said, and is no difference") {
+  const Answered a = answered_case("normal-linear-force");
+  const TemporaryFolder folder;
+  /// As an engine would print runs that are off by `by` of the scale.
+  const auto printed = [&](const char* format, double by) {
+    const CaseResult exact = off_by(a, a.of.steps, [&](int) { return by; });
+    std::string rows = "# engine: E\n# version: 1\ncase,steps,body,x,y,z,vx,vy,vz,wx,wy,wz\n";
+    for (const Run& run : exact.runs)
+      for (std::size_t i = 0; i < run.bodies.size(); ++i) {
+        const auto number = [&](double v) { return fmt::format(fmt::runtime(format), v); };
+        const Body& b = run.bodies[i];
+        rows += fmt::format("{},{},{},{},0,0,{},0,0,0,0,0\n", a.of.name, run.steps, i + 1, number(b.position.x),
+                            number(b.velocity.x));
+      }
+    std::ofstream(folder / "e.csv") << rows;
+    const Results results = read_results(folder / "e.csv", {a.of});
+    return explained(a, &results.cases[0]);
+  };
+  CHECK(printed("{:.17g}", 0).verdict == Verdict::exact);
+  CHECK(printed("{:.17g}", 2e-6).verdict == Verdict::elsewhere);
+  CHECK(why(printed("{:.17g}", 2e-6)) == "no known cause fits");
+  // Six digits of v are 5e-7 m/s or less, 1e-6 of 0.5 m/s; those of x, 5e-9 m, are flown in 2e-4 of the collision.
+  const CaseGrade six = printed("{:.6g}", 0);
+  CHECK(six.verdict == Verdict::exact);
+  CHECK(has(why(six), "the digits printed leave 0.0"));
+  CHECK(printed("{:.6g}", 2e-6).verdict <= Verdict::converges);
+  CHECK(printed("{:.6g}", 2e-3).verdict == Verdict::elsewhere);
+  // Digits that leave more than 1 % open tell nothing.
+  CHECK(printed("{:.2g}", 0).verdict == Verdict::too_coarse);
 }
 
 TEST_CASE("verify conformance: what ran nothing or broke down does not pass, and no task is passed over") {

@@ -87,6 +87,48 @@ TEST_CASE("conformance: what a file says of itself is harmless wherever it is sh
   CHECK(r.cases[0].note == "no? words");
 }
 
+TEST_CASE("conformance: what printing takes of numbers is read off the file") {
+  const auto rounded = [](const std::string& rows) { return read(head + columns + rows).cases[0].runs[0].rounded; };
+  SECTION("%g: as many digits as the longest number has") {
+    const Rounded r = rounded("dem05,25,1,0.0123457,0,-3.5,2e-05,0,100000,0,0,0,1.5e-6,,\n");
+    CHECK(r.bodies[0].position.x == Approx(0.5e-7));
+    CHECK(r.bodies[0].position.y == 0);
+    CHECK(r.bodies[0].position.z == Approx(0.5e-5));
+    CHECK(r.bodies[0].velocity.x == Approx(0.5e-10));
+    CHECK(r.bodies[0].velocity.z == Approx(0.5));
+    CHECK(r.contact_time == Approx(0.5e-11));
+  }
+  SECTION("%.6f: the same place of all, in each column's unit") {
+    const Rounded r = rounded("dem05,25,1,0.012346,0.000000,-3.500000,1.000000,0.000001,0.100000,0.0,0,0,,,\n");
+    CHECK(r.bodies[0].position.x == Approx(0.5e-8));  // not all: as many digits as -3.500000
+    const Rounded f =
+        rounded("dem05,25,1,0.012346,0.000000,-3.500000,1.000000,0.000001,0.100000,0.000000,0.000000,0.000002,,,\n");
+    CHECK(f.bodies[0].position.x == Approx(0.5e-6));
+    CHECK(f.bodies[0].velocity.y == Approx(0.5e-6));
+    CHECK(f.bodies[0].spin.z == Approx(0.5e-6));
+    const std::string millimetres = head + "case,steps,body,x [mm],y,z,vx,vy,vz,wx,wy,wz\n" +
+                                    "dem05,25,1,12.345678,0.000000,1.000000,1.000000,0.000001,0.100000,0.000000,"
+                                    "0.000000,0.000002\n";
+    CHECK(read(millimetres).cases[0].runs[0].rounded.bodies[0].position.x == Approx(0.5e-9));
+  }
+  SECTION("doubles to the last bit: nothing that counts") {
+    const Rounded r = rounded("dem05,25,1,0.1,0,0,0.33333333333333331,0,0,0,0,0,,,\n");
+    CHECK(r.bodies[0].position.x < 1e-16);
+    CHECK(r.bodies[0].velocity.x < 1e-16);
+  }
+}
+
+TEST_CASE("conformance: a file that is not UTF-8 is refused with the place of its first such byte") {
+  CHECK(said("", "# engine: M\xfcller\n# version: 1\n" + columns) ==
+        "r.csv:1: byte 0xfc is not UTF-8: must be a text in UTF-8");
+  CHECK(said("dem05,,,,,,,,,,,,,,keine T\xf6ne\n") == "r.csv:6: byte 0xf6 is not UTF-8: must be a text in UTF-8");
+  CHECK(said("dem05,,,,,,,,,,,,,,Töne η 𝒯\n") == "nothing");
+  // Cut off, too long for what they say, half of a pair, beyond the last.
+  for (const char* bad : {"\xc3", "\xc0\xaf", "\xe0\x80\xaf", "\xed\xa0\x80", "\xf0\x80\x80\xaf", "\xf4\x90\x80\x80",
+                          "\xf5\x80\x80\x80", "\x80"})
+    CHECK(said("dem05,,,,,,,,,,,,,," + std::string(bad) + "\n").find("is not UTF-8") != std::string::npos);
+}
+
 TEST_CASE("conformance: runs come in any order and are sorted") {
   const std::string tail = ",1,0,0,0,0,0,0,0,0,0,,,\n";
   const Results r = read(head + columns + "dem05,100" + tail + "dem05,25" + tail + "dem05,50" + tail);

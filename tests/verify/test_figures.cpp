@@ -53,7 +53,8 @@ TEST_CASE("a figure's file has time, overlap, velocity and force, in the units o
   const auto figure = figures::panels("toy", "A toy.", paths, figures::over_time, {{"all", "top right", 1}});
   CHECK(figure.data.at(0).bytes ==
         "curve,t [1e-6 s],overlap [1e-6 m],velocity [m/s],force [N]\n\"one\",1,2,3,4\n\"one\",5,6,7,8\n");
-  CHECK(figure.script.find("'toy.csv' skip 1 every ::0::1 using 2:4 with lines") != std::string::npos);
+  CHECK(console::script_of(figure.plot).find("'toy.csv' skip 1 every ::0::1 using 2:4 with lines") !=
+        std::string::npos);
 }
 
 TEST_CASE("the laws of Table II stand from the greatest overlap at the end to none") {

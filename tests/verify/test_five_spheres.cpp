@@ -110,7 +110,8 @@ TEST_CASE("Figs. 7 and 8 draw the columns that they name, and tell the two state
   REQUIRE(first.size() == names.size());
   // Sphere 3 is drawn from two columns of the file: those of its y and z.
   std::smatch columns;
-  REQUIRE(std::regex_search(ways.script, columns,
+  const std::string script = console::script_of(ways.plot);
+  REQUIRE(std::regex_search(script, columns,
                             std::regex("'cluster-strong.csv' skip 1 using (\\d+):(\\d+) with [^\n]*title 'sphere 3'")));
   const std::size_t y = std::stoul(columns[1].str()), z = std::stoul(columns[2].str());
   CHECK(names.at(y - 1) == "y3 [m]");

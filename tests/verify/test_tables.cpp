@@ -87,9 +87,9 @@ TEST_CASE("one figure a scheme that has an order, with the stated slope in every
   const auto figures = convergence_figures(two_schemes(), "toy");
   REQUIRE(figures.size() == 2);
   CHECK(figures[0].name == "toy-a");
-  CHECK(figures[0].script.find("α = 0.1") != std::string::npos);
-  CHECK(figures[0].script.find("set label '2' at") != std::string::npos);
-  CHECK(figures[1].script.find("set label '1' at") != std::string::npos);
+  CHECK(console::script_of(figures[0].plot).find("α = 0.1") != std::string::npos);
+  CHECK(console::script_of(figures[0].plot).find("set label '2' at") != std::string::npos);
+  CHECK(console::script_of(figures[1].plot).find("set label '1' at") != std::string::npos);
   CHECK(convergence_figures({case_of("C", "t", 0.1, std::nullopt)}, "toy").empty());
   CHECK(figures[0].data[0].bytes.find("\n\"t\",0.5,10,0.01\n") != std::string::npos);
   CHECK(figures[0].finding == "In 2 cases the observed order is within 0.00 of the stated one.");
@@ -100,7 +100,8 @@ TEST_CASE("the triangle of a stated order has that slope, and stands below the c
   const double order = 2;
   const auto figure = convergence_figures({case_of("A", "t", 0.1, order)}, "toy").front();
   std::smatch corner;
-  REQUIRE(std::regex_search(figure.script, corner,
+  const std::string script = console::script_of(figure.plot);
+  REQUIRE(std::regex_search(script, corner,
                             std::regex("set object polygon from ([^,]+),([^ ]+) to ([^,]+),([^ ]+) to ([^,]+),")));
   const auto number = [&](std::size_t i) { return std::stod(corner[i].str()); };
   const double n1 = number(1), top = number(2), bottom = number(4), n2 = number(5);

@@ -71,7 +71,7 @@ struct Solution {
 /// Orders in the step with which the errors of the two usual steppings fall.
 struct Orders {
   double leapfrog = 1;  ///< velocity Verlet, forces from the velocity of half a step before
-  double located = 2;   ///< begin and end of a contact found inside the step
+  double located = 2;   ///< begin and end of a contact found inside the step; less where the force begins like a root
 };
 
 struct Case;

@@ -28,6 +28,32 @@ Json json(const std::optional<Meeting>& meeting) {
   return law;
 }
 
+/// All that an engine needs to do as the case asks.
+std::string rule_of(const TangentialContact& contact) {
+  std::string rule =
+      "Spring and dashpot side by side, a slider behind both. u: velocity of body 1 at the contact less that of the "
+      "other there, across the normal; xi: strain of the spring, 0 at the touch, turned with the normal; T: force on "
+      "body 1; F = max(0, normal force of repulsion). A contact sticks, xi' = u and T = -k xi - c u, while |T| <= mu "
+      "F; "
+      "else it slides, T = -mu F q with q the direction of k xi + c u, and the spring follows what the slider leaves: "
+      "c xi' = mu F q - k xi (c = 0: xi = mu F q/k). As a step dt: K = k + c/dt, T = -k xi - K u dt, shortened to mu F "
+      "where it is longer, then xi = (c xi/dt - T)/K.";
+  if (std::holds_alternative<MindlinTangential>(contact.law))
+    rule +=
+        " k = k_t sqrt(overlap): while it grows the force stays (xi falls as 1/k), while it shrinks the strain stays "
+        "(the force falls as k).";
+  if (contact.torsion.limit != Torsion::Limit::none)
+    rule +=
+        " Torsion: the same about the normal, xi an angle, u the spin of body 1 less that of the other, the limit arm "
+        "a "
+        "mu F with a half the chord of the overlap, sqrt(overlap (2 r - overlap)) on a wall.";
+  if (contact.rolling.mu > 0)
+    rule +=
+        " Rolling: the same across the normal, xi an angle, u the spin of body 1 less that of the other, the limit "
+        "mu_rolling R F with 1/R = 1/r1 + 1/r2.";
+  return rule;
+}
+
 Json json(const std::optional<TangentialContact>& contact) {
   if (!contact) return nullptr;
   Json law = named(name(contact->law), values(contact->law), parameters_of(contact->law));
@@ -39,6 +65,7 @@ Json json(const std::optional<TangentialContact>& contact) {
   law["mu_rolling"] = contact->rolling.mu;
   law["k_rolling"] = contact->rolling.spring.stiffness;
   law["c_rolling"] = contact->rolling.spring.damping;
+  law["rule"] = rule_of(*contact);
   return law;
 }
 

@@ -2,6 +2,8 @@
 
 #include "half_step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -15,6 +17,7 @@ namespace {
 struct Misunderstanding {
   std::string what;
   std::function<std::optional<Case>(const Case&)> of;
+  bool is_end = false;  ///< of contacts, and nothing else
 };
 
 using Values = std::function<std::vector<double>(std::vector<double>)>;
@@ -80,8 +83,12 @@ std::function<std::optional<Case>(const Case&)> with_spring(double spring, doubl
   });
 }
 
-std::vector<Misunderstanding> misunderstandings(ContactEnd asked) {
-  const bool force = asked == ContactEnd::force;
+const char* words_of_other_end(ContactEnd asked_for) {
+  return asked_for == ContactEnd::force ? "contacts end by overlap: attraction is not clipped"
+                                        : "contacts end by force: attraction is clipped";
+}
+
+std::vector<Misunderstanding> misunderstandings(ContactEnd asked_for) {
   const auto no_torsion = [](TangentialContact& t) {
     const bool had = t.torsion.limit != Torsion::Limit::none;
     t.torsion = {};
@@ -93,8 +100,7 @@ std::vector<Misunderstanding> misunderstandings(ContactEnd asked) {
     return had;
   };
   return {
-      {force ? "contacts end by overlap: attraction is not clipped" : "contacts end by force: attraction is clipped",
-       other_end},
+      {words_of_other_end(asked_for), other_end, true},
       {"damping twice as great, as by coefficients per mass with twice the effective mass", scaled(1, 2)},
       {"damping half as great, as by twice the effective mass", scaled(1, 0.5)},
       {"spring and damping twice as great, as by coefficients per mass with twice the effective mass", scaled(2, 2)},
@@ -104,7 +110,6 @@ std::vector<Misunderstanding> misunderstandings(ContactEnd asked) {
       {"spring twice as stiff", scaled(2, 1)},
       {"spring half as stiff", scaled(0.5, 1)},
       {"damping left out", scaled(1, 0)},
-      // Before friction as a whole, which in a case of one mechanism alone is the same.
       {"torsion left out", with_contact(no_torsion)},
       {"rolling resistance left out", with_contact(no_rolling)},
       {"friction left out", with_contact([](TangentialContact& t) { return t = {}, true; })},
@@ -114,20 +119,47 @@ std::vector<Misunderstanding> misunderstandings(ContactEnd asked) {
       {"tangential dashpot left out", with_spring(1, 0)}};
 }
 
+/// What an engine may do with a tangential spring and dashpot in place of what is asked, by the words of
+/// docs/engines.md, "Tangential conventions".
 struct RuleOfEngines {
   const char* what = "";
   Rule rule = {};
 };
-const RuleOfEngines rules[] = {
-    {"a contact that slides keeps a dashpot of the whole slip, its spring is set so that both make the limit", {}},
-    {"the sliding limit holds for the tangential spring alone, and a contact that slides has no dashpot",
-     {true, Rule::Keeps::asked}},
-    {"the tangential spring keeps its strain while the contact grows and shrinks", {true, Rule::Keeps::strain}},
-    {"the tangential spring keeps its force while the contact grows and shrinks", {true, Rule::Keeps::force}},
-    {"the tangential spring keeps its strain while the contact grows and shrinks, and its limit is the dashpot's, too",
-     {false, Rule::Keeps::strain}},
-    {"the tangential spring keeps its force while the contact grows and shrinks, and its limit is the dashpot's, too",
-     {false, Rule::Keeps::force}}};
+constexpr Rule::Keeps asked = Rule::Keeps::asked, strain = Rule::Keeps::strain, kept = Rule::Keeps::force;
+const RuleOfEngines dashpot_rules[] = {
+    {"the dashpot feels the whole slip: a contact that slides keeps it, and its spring is set so that both make the "
+     "limit (LAMMPS, MercuryDPM)",
+     {false, asked}},
+    {"the spring's force alone is limited, and a contact that slides has no dashpot (LIGGGHTS, Yade, MFiX)",
+     {true, asked}}};
+const RuleOfEngines mindlin_rules[] = {
+    {"Mindlin's spring keeps its strain while the contact grows, too (LIGGGHTS, MFiX, LAMMPS mindlin)",
+     {false, strain}},
+    {"Mindlin's spring keeps its force while the contact shrinks, too (Yade, LAMMPS mindlin/force)", {false, kept}}};
+
+/// The rules that are another thing for this law, and the case's own where it can be stepped by `by_rule`: without a
+/// dashpot.
+std::vector<RuleOfEngines> rules_for(const TangentialLaw& law) {
+  const bool damped = spring(law, 1).damping > 0, grows = std::holds_alternative<MindlinTangential>(law);
+  std::vector<RuleOfEngines> all;
+  if (!damped) all.push_back({});
+  if (damped) all.insert(all.end(), std::begin(dashpot_rules), std::end(dashpot_rules));
+  if (grows) all.insert(all.end(), std::begin(mindlin_rules), std::end(mindlin_rules));
+  if (damped && grows)
+    for (const RuleOfEngines& m : mindlin_rules) all.push_back({m.what, {true, m.rule.keeps}});
+  return all;
+}
+
+/// What limits friction, beside the asked.
+struct Limited {
+  const char* what = "";
+  Rubs rubs = Rubs::repulsion;
+};
+const Limited limits_of_friction[] = {
+    {},
+    {"friction is limited by μ|F|, under attraction too", Rubs::size},
+    {"friction is limited by μ|F| of the normal force before attraction is clipped", Rubs::unclipped},
+    {"friction is limited by μ times the force of the normal spring alone", Rubs::spring}};
 
 /// Greatest difference of the engine's runs from those stepped here; nothing where they can't be.
 std::optional<double> misfit_of_steps(const Case& as, Velocities velocities, const CaseResult& result,
@@ -139,7 +171,7 @@ std::optional<double> misfit_of_steps(const Case& as, Velocities velocities, con
     for (const Graded& g : grade.answers) {
       if (!g.answer.required) continue;
       const double here = (measured(as, *run, g.answer) - g.answer.value) / g.answer.scale;
-      worst = std::max(worst, std::abs(here - g.error[i]));
+      worst = std::max(worst, std::abs(here - g.error[i]) - g.digits);
     }
   }
   return worst;
@@ -157,84 +189,225 @@ std::optional<Cause> repeated_by(const Case& as, const std::string& what, const 
   return std::nullopt;
 }
 
-/// That of another case's answers which is to the same question.
-const Answer& answer_like(const Graded& g, const std::vector<Answer>& other) {
-  return *std::find_if(other.begin(), other.end(),
-                       [&](const Answer& a) { return a.quantity == g.answer.quantity && a.body == g.answer.body; });
+/// What another case, or another way to make its contact, gives: required answers as shares of scale from the asked
+/// ones, the forces acting at a radius from the centres, and what it changes if they act, or slip is taken, a whole
+/// overlap nearer.
+struct Prediction {
+  std::vector<double> at_radius = {};
+  std::vector<std::vector<double>> moved = {};  ///< one, or force and slip apart
+  double error = 0;
+};
+
+std::vector<double> required(const CaseGrade& grade, const Solution& of) {
+  std::vector<double> all;
+  for (const Graded& g : grade.answers)
+    if (g.answer.required) all.push_back((number(of, g.answer) - g.answer.value) / g.answer.scale);
+  return all;
 }
 
-/// Greatest difference of the engine's limits from another case's answers; nothing where one is farther than it may be.
-std::optional<double> misfit_of_limits(const std::vector<Answer>& other, const CaseGrade& grade) {
-  double worst = 0;
+std::vector<double> change(const std::vector<double>& from, std::vector<double> to, double overlaps) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = (to[i] - from[i]) / overlaps;
+  return to;
+}
+
+using Moves = std::vector<std::vector<double>>;
+
+/// Where the places change far less than the limits are known to, they change the same in every prediction.
+bool is_little(const Moves& moves, const CaseGrade& grade) {
+  double most = 0, least_uncertain = HUGE_VAL;
+  for (const std::vector<double>& m : moves)
+    for (const double by : m) most = std::max(most, std::abs(by));
+  for (const Graded& g : grade.answers)
+    if (g.answer.required) least_uncertain = std::min(least_uncertain, g.limit.uncertainty + g.digits);
+  return most <= 0.1 * least_uncertain;
+}
+
+std::optional<Prediction> stepped(const Case& c, const CaseGrade& grade, Rule rule, Rubs rubs, const Moves* little) {
+  const auto radius = by_rule(c, rule, {}, rubs);
+  if (!radius) return std::nullopt;
+  Prediction all{required(grade, *radius), {}, radius->error};
+  if (little) return all.moved = *little, all;
+  for (const Places places : {Places{1, 0}, Places{0, 1}})
+    all.moved.push_back(change(all.at_radius, required(grade, by_rule(c, rule, places, rubs).value()), 1));
+  return all;
+}
+
+/// By the case's own solver. Nothing of bodies that no longer part.
+std::optional<Prediction> answered_anew(const Case& c, const CaseGrade& grade) {
+  try {
+    const Solution radius = c.solver(c, ContactArm::radius);
+    Prediction all{required(grade, radius), {}, radius.error};
+    if (!c.tangential) return all;
+    all.moved = {change(all.at_radius, required(grade, c.solver(c, ContactArm::contact_point)), 0.5)};
+    const bool damped = spring(c.tangential->law, 1).damping > 0;
+    if (damped || is_little(all.moved, grade)) return all;
+    if (const auto there = stepped(c, grade, {}, Rubs::repulsion, nullptr)) all.moved = there->moved;
+    return all;
+  } catch (const std::logic_error&) {
+    return std::nullopt;
+  }
+}
+
+/// The least of a convex function of a number from 0 to 1.
+template <class F>
+double least(const F& f) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 30; ++i) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    if (f(a) < f(b))
+      high = b;
+    else
+      low = a;
+  }
+  return f(0.5 * (low + high));
+}
+
+struct Misfit {
+  double greatest = 0;  ///< share of scale
+  bool fits = false;    ///< every answer within what the limit and the prediction are known to
+};
+
+/// From the engine's limits, forces and slip where they fit best.
+Misfit misfit(const Prediction& of, const CaseGrade& grade) {
+  std::vector<double> off, known;
   for (const Graded& g : grade.answers) {
     if (!g.answer.required) continue;
-    const Answer& same = answer_like(g, other);
-    const double there = (same.value - g.answer.value) / g.answer.scale;
-    const double off = std::abs(there - g.limit.value);
-    if (!(off <= g.limit.uncertainty + g.floor + same.error / g.answer.scale)) return std::nullopt;
-    worst = std::max(worst, off);
+    off.push_back(of.at_radius[off.size()] - g.limit.value);
+    known.push_back(g.limit.uncertainty + rounding + g.digits + of.error);
   }
-  return worst;
+  const auto greatest = [&](double force, double slip, double allowed) {
+    double most = -HUGE_VAL;
+    for (std::size_t i = 0; i < off.size(); ++i) {
+      const double moved =
+          (of.moved.empty() ? 0 : force * of.moved[0][i]) + (of.moved.size() < 2 ? 0 : slip * of.moved[1][i]);
+      most = std::max(most, std::abs(off[i] + moved) - allowed * known[i]);
+    }
+    return most;
+  };
+  const auto at_best = [&](double allowed) {
+    return least([&](double force) { return least([&](double slip) { return greatest(force, slip, allowed); }); });
+  };
+  return {at_best(0), at_best(1) <= 0};
 }
 
-/// The answers of a case that may have none: bodies that no longer part.
-std::vector<Answer> answers_or_none(const Case& c) {
-  try {
-    return answers(c);
-  } catch (const std::logic_error&) {
-    return {};
-  }
-}
-
-/// Whether these are the case's own answers: a misunderstanding that changes nothing in it explains nothing.
-bool is_same(const std::vector<Answer>& other, const CaseGrade& grade) {
-  if (other.empty()) return false;
-  return std::all_of(grade.answers.begin(), grade.answers.end(), [&](const Graded& g) {
-    const double off = answer_like(g, other).value - g.answer.value;
-    return !g.answer.required || std::abs(off) <= rounding * g.answer.scale;
-  });
+/// A misunderstanding that changes nothing in a case explains nothing. Bodies that no longer part are a change.
+bool changes(const Case& other, const CaseGrade& grade) {
+  const auto there = answered_anew(other, grade);
+  return !there || std::any_of(there->at_radius.begin(), there->at_radius.end(),
+                               [](double off) { return std::abs(off) > rounding; });
 }
 
 ContactEnd end_of(const Case& c) { return (c.law ? c.law : c.wall_law).value().end; }
 
-/// The rule, at the place in the overlap where it fits best.
-std::optional<Cause> explained_by(const RuleOfEngines& of, const Case& as, const CaseGrade& grade) {
-  std::optional<Cause> best;
-  for (const double place : {0.0, 0.5, 1.0}) {
-    const auto solution = by_rule(as, of.rule, place);
-    if (!solution) continue;
-    std::vector<Answer> there;
-    for (const Asked& asked : as.asked)
-      there.push_back({asked, number(*solution, asked), solution->error * asked.scale});
-    const auto off = misfit_of_limits(there, grade);
-    if (off && (!best || *off < best->misfit)) best = Cause{of.what, false, *off};
+struct Candidate {
+  std::vector<std::string> departures = {};  ///< from what is asked
+  Prediction prediction = {};
+  bool rule = false;
+  double misfit = 0;
+
+  bool contains(const Candidate& other) const {
+    return departures.size() > other.departures.size() &&
+           std::all_of(other.departures.begin(), other.departures.end(), [&](const std::string& d) {
+             return std::find(departures.begin(), departures.end(), d) != departures.end();
+           });
   }
-  return best;
+};
+
+bool alike(const Prediction& a, const Prediction& b) {
+  constexpr double stepped_to = 5e-6;
+  return std::equal(a.at_radius.begin(), a.at_radius.end(), b.at_radius.begin(),
+                    [](double one, double other) { return std::abs(one - other) <= stepped_to; });
+}
+
+/// Oblique collisions as engines make them: every rule with every limit of friction and both ends, but for what makes
+/// no difference to what is asked, or to one with fewer departures from it.
+void add_rules(const Case& c, const CaseGrade& grade, const Prediction& as_asked, std::vector<Candidate>& all) {
+  if (!c.tangential) return;
+  std::vector<Prediction> seen{as_asked};
+  const Moves* const little = is_little(as_asked.moved, grade) ? &as_asked.moved : nullptr;
+  for (const RuleOfEngines& rule : rules_for(c.tangential->law))
+    for (const bool turned : {false, true})
+      for (const Limited& limited : limits_of_friction) {
+        const std::optional<Case> other = turned ? other_end(c) : std::optional(c);
+        // |F| is the force itself where it is clipped, and before it is where it is not.
+        const Rubs no_other = other && end_of(*other) == ContactEnd::force ? Rubs::size : Rubs::unclipped;
+        if (!other || limited.rubs == no_other) continue;
+        auto there = stepped(*other, grade, rule.rule, limited.rubs, little);
+        if (!there) return;
+        const bool is_known =
+            std::any_of(seen.begin(), seen.end(), [&](const Prediction& p) { return alike(p, *there); });
+        seen.push_back(*there);
+        if (is_known) continue;
+        there->error += as_asked.error;
+        Candidate& candidate = all.emplace_back();
+        candidate.prediction = *there, candidate.rule = !turned && limited.rubs == Rubs::repulsion;
+        for (const char* part : {turned ? words_of_other_end(end_of(c)) : "", limited.what, rule.what})
+          if (*part != '\0') candidate.departures.emplace_back(part);
+      }
+}
+
+/// Of those that fit: the best where it does so clearly better than what was asked, and those that do no worse, clearly;
+/// but none with more departures where some of them do.
+std::vector<Cause> told(std::vector<Candidate> all, const Prediction& as_asked, const CaseGrade& grade) {
+  std::erase_if(all, [&](Candidate& c) {
+    const Misfit m = misfit(c.prediction, grade);
+    c.misfit = m.greatest;
+    return !m.fits;
+  });
+  if (all.empty()) return {};
+  std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
+  const double known = clearly * (all.front().misfit + all.front().prediction.error);
+  if (misfit(as_asked, grade).greatest < known) return {};
+  std::erase_if(all, [&](const Candidate& c) { return c.misfit >= known; });
+  std::vector<Cause> causes;
+  for (const Candidate& c : all) {
+    if (std::any_of(all.begin(), all.end(), [&](const Candidate& o) { return c.contains(o); })) continue;
+    Cause& cause = causes.emplace_back();
+    cause.what = fmt::format("{}", fmt::join(c.departures, "; ")), cause.misfit = c.misfit, cause.rule = c.rule;
+  }
+  return causes;
+}
+
+/// The engine's limits explained.
+std::vector<Cause> by_limits(const Case& of, const CaseGrade& grade) {
+  std::vector<Candidate> all;
+  const Prediction as_asked = answered_anew(of, grade).value();
+  add_rules(of, grade, as_asked, all);
+  const bool ends_done = !all.empty() && spring(of.tangential->law, 1).damping == 0;
+  for (const Misunderstanding& m : misunderstandings(end_of(of))) {
+    const std::optional<Case> other = m.is_end && ends_done ? std::nullopt : m.of(of);
+    const auto there = other ? answered_anew(*other, grade) : std::nullopt;
+    if (!there) continue;
+    Candidate& candidate = all.emplace_back();
+    candidate.departures = {m.what}, candidate.prediction = *there;
+  }
+  return told(std::move(all), as_asked, grade);
 }
 
 }  // namespace
 
 std::vector<Cause> causes(const Answered& answered, const CaseResult& result, const CaseGrade& grade) {
-  std::vector<Cause> repeated, limits;
   if (grade.verdict == Verdict::exact || grade.verdict == Verdict::not_run) return {};
+  std::vector<Cause> repeated;
   if (const auto cause = repeated_by(answered.of, "", result, grade)) repeated.push_back(*cause);
   if (grade.verdict == Verdict::converges) return repeated;
   for (const Misunderstanding& m : misunderstandings(end_of(answered.of))) {
     const std::optional<Case> other = m.of(answered.of);
-    if (!other) continue;
-    const std::vector<Answer> there = answers_or_none(*other);
-    if (is_same(there, grade)) continue;
+    if (!other || !half_step_run(*other, result.runs.front().steps, Velocities::at_steps)) continue;
+    if (!changes(*other, grade)) continue;
     if (const auto cause = repeated_by(*other, m.what + "; ", result, grade)) repeated.push_back(*cause);
-    if (grade.verdict != Verdict::elsewhere) continue;
-    const auto off = there.empty() ? std::nullopt : misfit_of_limits(there, grade);
-    if (off) limits.push_back({m.what, false, *off});
   }
-  for (const RuleOfEngines& r : rules)
-    if (const auto cause = grade.verdict == Verdict::elsewhere ? explained_by(r, answered.of, grade) : std::nullopt)
-      limits.push_back(*cause);
-  std::stable_sort(limits.begin(), limits.end(), [](const Cause& a, const Cause& b) { return a.misfit < b.misfit; });
-  if (!repeated.empty()) return repeated;
-  return limits;
+  if (!repeated.empty() || grade.verdict != Verdict::elsewhere) return repeated;
+  return by_limits(answered.of, grade);
+}
+
+CaseGrade explained(const Answered& answered, const CaseResult* result) {
+  CaseGrade all = grade(answered, result);
+  if (result) all.causes = causes(answered, *result, all);
+  const auto is_rule = [](const Cause& c) { return c.rule; };
+  if (!all.causes.empty() && std::all_of(all.causes.begin(), all.causes.end(), is_rule))
+    all.verdict = Verdict::another_rule;
+  return all;
 }
 
 }  // namespace ricochet::verify::conformance

@@ -13,24 +13,35 @@ namespace ricochet::verify::conformance {
 
 namespace {
 
-/// By the straight flight after the contact: when the overlap was 0.
-double separation(const Case& of, const Run& run) {
+/// Of body 1 and the other, or the wall, at the end of a run.
+Approach approach(const Case& of, const Run& run) {
   const Body& a = run.bodies.front();
-  double overlap = 0, rate = 0;
-  if (of.walls.empty()) {
-    const Body& b = run.bodies.at(1);
-    const Vec3 branch = b.position - a.position;
-    overlap = a.radius + b.radius - norm(branch);
-    rate = dot(a.velocity - b.velocity, branch / norm(branch));
-  } else {
+  if (!of.walls.empty()) {
     const Plane& wall = of.walls.front();
-    overlap = a.radius - dot(a.position - wall.point, wall.normal);
-    rate = -dot(a.velocity, wall.normal);
+    return {a.radius - dot(a.position - wall.point, wall.normal), -dot(a.velocity, wall.normal)};
   }
+  const Body& b = run.bodies.at(1);
+  const Vec3 branch = b.position - a.position;
+  return {a.radius + b.radius - norm(branch), dot(a.velocity - b.velocity, branch / norm(branch))};
+}
+
+/// Bodies that do not part never come apart.
+bool part(Approach a) { return a.rate < 0 && std::abs(a.overlap) < 1e100 * -a.rate; }
+
+/// By the straight flight after the contact: when the overlap was 0. The end of the run stands for never, far from any
+/// answer.
+double separation(const Case& of, const Run& run) {
   const double time = of.end_of_run(run.steps);
-  // Bodies that do not part never come apart: the end of the run stands for it, far from any answer.
-  const bool part = rate < 0 && std::abs(overlap) < 1e100 * -rate;
-  return part ? time - overlap / rate : time;
+  const Approach a = approach(of, run);
+  return part(a) ? time - a.overlap / a.rate : time;
+}
+
+double separation_to(const Case& of, const Run& run) {
+  const Approach a = approach(of, run);
+  if (!part(a)) return 0;
+  double place = 0, speed = 0;
+  for (const Body& b : run.rounded.bodies) place += norm(b.position), speed += norm(b.velocity);
+  return (place + std::abs(a.overlap / a.rate) * speed) / -a.rate;
 }
 
 /// Slope of the errors, by all steps whose error stands above the floor.
@@ -48,9 +59,9 @@ void observe(Graded& g) {
 }
 
 Verdict verdict_of(const Graded& g) {
+  const bool known = std::max(g.limit.uncertainty, g.digits) <= least_known;
   const bool exact = std::all_of(g.error.begin(), g.error.end(), [&](double d) { return std::abs(d) <= g.floor; });
-  if (exact) return Verdict::exact;
-  const bool known = g.limit.uncertainty <= least_known;
+  if (exact && g.digits <= least_known) return Verdict::exact;
   if (!g.limit.settles && !known) return Verdict::does_not_converge;
   if (std::abs(g.limit.value) > g.limit.uncertainty + g.floor) return Verdict::elsewhere;
   return known ? Verdict::converges : Verdict::too_coarse;
@@ -64,12 +75,14 @@ std::vector<double> steps_of(const Case& of, const CaseResult& result) {
 }
 
 Graded graded(const Case& of, const Answer& answer, const CaseResult& result) {
-  Graded g{.answer = answer, .floor = answer.error / answer.scale + rounding};
+  Graded g{.answer = answer};
   for (const Run& run : result.runs) {
     g.steps_in_scale.push_back(run.steps);
     g.error.push_back((measured(of, run, answer) - answer.value) / answer.scale);
+    g.digits = std::max(g.digits, measured_to(of, run, answer) / answer.scale);
   }
-  g.limit = limit_of(steps_of(of, result), g.error, g.floor);
+  g.floor = answer.error / answer.scale + rounding + g.digits;
+  g.limit = limit_of(steps_of(of, result), g.error, g.floor, g.digits + rounding);
   g.verdict = verdict_of(g);
   if (g.verdict != Verdict::exact) observe(g);
   return g;
@@ -94,16 +107,16 @@ std::string too_little(const std::vector<Run>& runs) {
   return {};
 }
 
-EnergyBalance balance(const Answered& answered, const CaseResult& result) {
+EnergyBalance balance(const Answered& answered, const CaseResult& result, const std::vector<Graded>& answers) {
   const Case& of = answered.of;
   const double start = energy(of.bodies, {});
   std::vector<double> ratios;
   ratios.reserve(result.runs.size());
   for (const Run& run : result.runs) ratios.push_back(energy(run.bodies, {}) / start);
-  double known = rounding;
-  for (const Answer& a : answered.answers)
-    if (a.required) known = std::max(known, 2 * a.error / a.scale);
-  const Limit limit = limit_of(steps_of(of, result), ratios, known);
+  double known = rounding, digits = 0;
+  for (const Graded& g : answers)
+    if (g.answer.required) known = std::max(known, 2 * g.floor), digits = std::max(digits, 2 * g.digits);
+  const Limit limit = limit_of(steps_of(of, result), ratios, known, digits + rounding);
   return {energy(answered.solution.bodies, {}) / start, limit.value, limit.uncertainty + known, ratios.front(),
           ratios.back()};
 }
@@ -111,8 +124,9 @@ EnergyBalance balance(const Answered& answered, const CaseResult& result) {
 }  // namespace
 
 std::string_view text(Verdict verdict) noexcept {
-  constexpr std::array<std::string_view, 6> words{
-      "exact", "converges to it", "steps too coarse", "converges elsewhere", "does not converge", "not run"};
+  constexpr std::array<std::string_view, 7> words{"exact",        "converges to it",     "steps too coarse",
+                                                  "another rule", "converges elsewhere", "does not converge",
+                                                  "not run"};
   return words[static_cast<std::size_t>(verdict)];
 }
 
@@ -122,6 +136,16 @@ double measured(const Case& of, const Run& run, const Asked& asked) {
     case Quantity::contact_time: return run.contact_time.value();
     case Quantity::max_overlap: return run.max_overlap.value();
     default: return component(run.bodies.at(asked.body - 1), asked.quantity);
+  }
+}
+
+double measured_to(const Case& of, const Run& run, const Asked& asked) {
+  if (run.rounded.bodies.empty()) return 0;
+  switch (asked.quantity) {
+    case Quantity::separation: return separation_to(of, run);
+    case Quantity::contact_time: return run.rounded.contact_time;
+    case Quantity::max_overlap: return run.rounded.max_overlap;
+    default: return component(run.rounded.bodies.at(asked.body - 1), asked.quantity);
   }
 }
 
@@ -160,7 +184,7 @@ CaseGrade grade(const Answered& answered, const CaseResult* result) {
     grade.answers.push_back(graded(answered.of, answer, *result));
     if (answer.required) grade.verdict = std::max(grade.verdict, grade.answers.back().verdict);
   }
-  if (norm(answered.of.gravity) == 0) grade.energy = balance(answered, *result);
+  if (norm(answered.of.gravity) == 0) grade.energy = balance(answered, *result, grade.answers);
   return grade;
 }
 

@@ -2,8 +2,11 @@
 
 #include "solvers.hpp"
 
+#include <ricochet/contact/geometry.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ricochet::verify::conformance {
 
@@ -79,30 +82,66 @@ struct Oblique {
   double mass[2]{}, radius[2]{};  // the wall's mass is infinite
   double rate = 0;                // of the overlap
   double across[2]{}, turning[2]{};
+  double spinning[2]{};  // about the normal
+};
+
+/// How one such contact is made in an engine.
+struct Made {
+  const Meeting& meeting;
+  const TangentialContact& contact;
+  Rule rule;
+  Places places = {};
+  Rubs rubs = Rubs::repulsion;
+
+  /// What acts, and what limits friction.
+  std::pair<double, double> forces(Approach a) const {
+    const double whole = force(meeting.law, a, 0).value();
+    const double acts = meeting.end == ContactEnd::force ? std::max(0.0, whole) : whole;
+    switch (rubs) {
+      case Rubs::repulsion: break;
+      case Rubs::size: return {acts, std::abs(acts)};
+      case Rubs::unclipped: return {acts, std::abs(whole)};
+      case Rubs::spring: return {acts, force(meeting.law, {a.overlap, 0}, 0).value()};
+    }
+    return {acts, std::max(0.0, acts)};
+  }
+  double torsion_limit(const Oblique& at, double overlap) const {
+    if (contact.torsion.limit == Torsion::Limit::none) return 0;
+    const double r = at.radius[0], other = at.radius[1];
+    const ContactGeometry g = other > 0 ? sphere_sphere({}, r, {r + other - overlap, 0, 0}, other)
+                                        : sphere_wall({r - overlap, 0, 0}, r, {}, {1, 0, 0});
+    return contact.torsion.arm * g.radius;
+  }
 };
 
 double inverse(double mass) { return std::isfinite(mass) ? 1 / mass : 0; }
 
 /// Velocity Verlet by half-step velocities, from the touch on; the turning of the normal left out.
-Oblique stepped(const Case& of, Oblique at, const Meeting& meeting, Rule rule, double place, double step) {
-  const TangentialContact& contact = of.tangential.value();
+Oblique stepped(Oblique at, const Made& made, double duration, double step) {
+  const TangentialContact& contact = made.contact;
   const double mu = contact.friction.mu_static(), mass_eff = 1 / (inverse(at.mass[0]) + inverse(at.mass[1]));
   double overlap = -0.5 * step * at.rate;
-  Slider slider(rule);
-  const long count = std::lround(of.duration / step);
+  Slider slider(made.rule), twister(made.rule);
+  const long count = std::lround(duration / step);
   for (long n = 0; n < count; ++n) {
     overlap += at.rate * step;
-    if (overlap <= 0) continue;
-    double repulsion = force(meeting.law, {overlap, at.rate}, 0).value();
-    if (meeting.end == ContactEnd::force) repulsion = std::max(0.0, repulsion);
-    const double arms[2]{at.radius[0] - place * overlap, at.radius[1] - place * overlap};
-    const double slip = at.across[0] - at.across[1] - arms[0] * at.turning[0] - arms[1] * at.turning[1];
-    const double traction = slider.act(spring(contact.law, overlap), slip, step, mu * std::max(0.0, repulsion));
-    at.rate -= repulsion / mass_eff * step;
+    // Of the step from half a one before to half a one after, what is before the overlap's end: forces may jump there.
+    const double held = at.rate < 0 ? std::clamp(0.5 - overlap / (at.rate * step), 0.0, 1.0) * step : step;
+    if (held == 0 || (overlap <= 0 && at.rate >= 0)) continue;
+    const double now = std::max(0.0, overlap), inside = made.places.force * now, there = made.places.slip * now;
+    const auto [acts, rubs] = made.forces({now, at.rate});
+    const double slip =
+        at.across[0] - at.across[1] - (at.radius[0] - there) * at.turning[0] - (at.radius[1] - there) * at.turning[1];
+    const double traction = slider.act(spring(contact.law, now), slip, held, mu * rubs);
+    const double moment = twister.act(contact.torsion.spring, at.spinning[0] - at.spinning[1], held,
+                                      made.torsion_limit(at, now) * mu * rubs);
+    at.rate -= acts / mass_eff * held;
     for (std::size_t k = 0; k < 2; ++k) {
-      at.across[k] += (k == 0 ? traction : -traction) * inverse(at.mass[k]) * step;
+      at.across[k] += (k == 0 ? traction : -traction) * inverse(at.mass[k]) * held;
+      if (!(at.mass[k] < HUGE_VAL)) continue;
       const double inertia = 0.4 * at.mass[k] * at.radius[k] * at.radius[k];
-      if (at.mass[k] < HUGE_VAL) at.turning[k] -= arms[k] * traction / inertia * step;
+      at.turning[k] -= (at.radius[k] - inside) * traction / inertia * held;
+      at.spinning[k] += (k == 0 ? moment : -moment) / inertia * held;
     }
   }
   return at;
@@ -125,25 +164,26 @@ std::optional<Run> half_step_run(const Case& of, int steps, Velocities velocitie
   return run;
 }
 
-std::optional<Solution> by_rule(const Case& of, Rule rule, double place) {
+std::optional<Solution> by_rule(const Case& of, Rule rule, Places places, Rubs rubs) {
   const Meeting& meeting = of.walls.empty() ? of.law.value() : of.wall_law.value();
   const bool sprung = of.tangential && compliant(of.tangential->law) && of.solver == one_collision;
-  if (!sprung || of.tangential->torsion.limit != Torsion::Limit::none || !is_stepped(meeting)) return std::nullopt;
-  // Every such case has its normal along x and its slip along y, spins about z.
+  if (!sprung || of.tangential->torsion.limit == Torsion::Limit::disc || !is_stepped(meeting)) return std::nullopt;
+  const Made made{meeting, *of.tangential, rule, places, rubs};
+  // Every such case has its normal along x and its slip along y, spins about z and x.
   const Body& a = of.bodies.front();
-  Oblique at{{a.mass, HUGE_VAL}, {a.radius, 0}, 0, {a.velocity.y, 0}, {a.spin.z, 0}};
+  Oblique at{{a.mass, HUGE_VAL}, {a.radius, 0}, 0, {a.velocity.y, 0}, {a.spin.z, 0}, {a.spin.x, 0}};
   double sign = 1;  // of the spin that moves the contact point against y
   if (of.walls.empty()) {
     const Body& b = of.bodies.at(1);
     at.mass[1] = b.mass, at.radius[1] = b.radius, at.across[1] = b.velocity.y;
-    at.turning[0] = -a.spin.z, at.turning[1] = -b.spin.z, sign = -1;
+    at.turning[0] = -a.spin.z, at.turning[1] = -b.spin.z, at.spinning[1] = b.spin.x, sign = -1;
     at.rate = a.velocity.x - b.velocity.x;
   } else {
     at.rate = -a.velocity.x;
   }
-  constexpr int fine = 20000;
-  const Oblique coarse = stepped(of, at, meeting, rule, place, of.time_scale / fine),
-                finer = stepped(of, at, meeting, rule, place, of.time_scale / (2 * fine));
+  constexpr int fine = 8000;
+  const Oblique coarse = stepped(at, made, of.duration, of.time_scale / fine),
+                finer = stepped(at, made, of.duration, of.time_scale / (2 * fine));
   Solution solution{.bodies = of.bodies, .error = 1e-6};
   const auto limit = [](double c, double f) { return 2 * f - c; };
   const double centre =
@@ -155,6 +195,7 @@ std::optional<Solution> by_rule(const Case& of, Rule rule, double place) {
     body.velocity.x = of.walls.empty() ? centre + (k == 0 ? 1 : -1) * mass_eff / at.mass[k] * rate : -rate;
     body.velocity.y = limit(coarse.across[k], finer.across[k]);
     body.spin.z = sign * limit(coarse.turning[k], finer.turning[k]);
+    body.spin.x = limit(coarse.spinning[k], finer.spinning[k]);
   }
   return solution;
 }

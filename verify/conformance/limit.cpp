@@ -16,6 +16,12 @@ std::vector<double> extrapolations(const std::vector<double>& h, const std::vect
   return all;
 }
 
+/// What an extrapolation makes of an error of 1 in each of its two values.
+double raised(double coarse, double fine) { return (coarse + fine) / (coarse - fine); }
+
+/// ρ, what smooth extrapolations fall by from one step to a finer one.
+double fall(double coarse, double fine) { return std::pow(falls, std::log2(coarse / fine)); }
+
 std::vector<double> differences(const std::vector<double>& of) {
   std::vector<double> all;
   for (std::size_t i = 1; i < of.size(); ++i) all.push_back(std::abs(of[i] - of[i - 1]));
@@ -23,14 +29,14 @@ std::vector<double> differences(const std::vector<double>& of) {
 }
 
 /// The greater of the last two differences of neighbours where these do not fall, else 0.
-double wandering(const std::vector<double>& h, const std::vector<double>& values, double noise) {
+double wandering(const std::vector<double>& h, const std::vector<double>& values, double floor) {
   const std::vector<double> gaps = differences(values);
   double fine = 0, coarse = 0, last = 0;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     const double rate = gaps[i] / h[i];
     if (i + 2 < gaps.size())
       coarse = std::max(coarse, rate);
-    else if (gaps[i] > noise)
+    else if (gaps[i] > floor)
       fine = std::max(fine, rate), last = std::max(last, gaps[i]);
   }
   return fine > most_growth * coarse ? last : 0;
@@ -38,16 +44,27 @@ double wandering(const std::vector<double>& h, const std::vector<double>& values
 
 }  // namespace
 
-Limit limit_of(const std::vector<double>& h, const std::vector<double>& values, double noise) {
-  const std::vector<double> limits = extrapolations(h, values), falling = differences(limits);
-  const double wanders = wandering(h, values, noise);
+Limit limit_of(const std::vector<double>& h, const std::vector<double>& values, double floor, double digits) {
+  const std::vector<double> limits = extrapolations(h, values), gaps = differences(limits);
+  const double wanders = wandering(h, values, floor);
   Limit limit{.value = values.back(), .uncertainty = spread * wanders, .settles = wanders == 0};
   if (!limit.settles) return limit;
-  const std::size_t last = falling.size() - 1;
+  const std::size_t last = gaps.size() - 1, first = last < 2 ? 0 : last - 2;
   limit.smooth = true;
-  for (std::size_t i = last; i + 2 > last && i > 0; --i)
-    limit.smooth = limit.smooth && (falling[i] <= falls * falling[i - 1] || falling[i] <= noise);
-  if (limit.smooth) return limit.value = limits.back(), limit.uncertainty = spread * falling[last], limit;
+  double envelope = gaps[first];
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    const double noise = (raised(h[i], h[i + 1]) + raised(h[i + 1], h[i + 2])) * digits;
+    const double rho = fall(h[i + 1], h[i + 2]);
+    limit.smooth = limit.smooth && (gaps[i] <= rho * gaps[i - 1] || gaps[i] <= std::max(floor, noise));
+    envelope = std::max(gaps[i], rho * envelope);
+  }
+  if (limit.smooth) {
+    const double rho = fall(h[last + 1], h[last + 2]);
+    const double closer = std::max(1.0, rho / (1 - rho) * (1 - falls) / falls);
+    limit.value = limits.back();
+    limit.uncertainty = spread * closer * envelope + raised(h[last + 1], h[last + 2]) * digits;
+    return limit;
+  }
   for (std::size_t i = 0; i + 1 < h.size(); ++i)
     limit.uncertainty = std::max(limit.uncertainty, spread * h.back() * std::abs(values[i] - values.back()) / h[i]);
   return limit;

@@ -66,6 +66,50 @@ std::string remark(std::string_view text, std::string_view key) {
   return {};
 }
 
+/// How a number is spelt.
+struct Spelling {
+  int digits = 0;  ///< from the first that is not 0 on
+  int places = 0;  ///< behind the point
+  bool exponent = false;
+};
+Spelling spelling_of(std::string_view text) {
+  Spelling s;
+  bool behind = false;
+  for (const char c : text) {
+    if (c == 'e' || c == 'E') return s.exponent = true, s;
+    const bool digit = c >= '0' && c <= '9';
+    if (digit && (c != '0' || s.digits > 0)) ++s.digits;
+    if (digit && behind) ++s.places;
+    behind = behind || c == '.' || c == ',';
+  }
+  return s;
+}
+
+/// Half a unit of the last of so many digits.
+double half_unit(double value, int digits) {
+  return value == 0 ? 0 : 0.5 * std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - digits);
+}
+
+/// How finely a file's numbers are printed.
+class Printing {
+ public:
+  void take(Column column, double value, std::string_view text) {
+    const Spelling s = spelling_of(text);
+    const bool point = s.places > 0 && !s.exponent;
+    if (digits_ == 0) places_ = s.places;
+    fixed_ = fixed_ && point && s.places == places_;
+    digits_ = std::max({digits_, s.digits, 1});
+    // Units may differ by column.
+    unit_[column] = std::max(unit_[column], half_unit(value, s.digits));
+  }
+  double rounded(Column column, double value) const { return fixed_ ? unit_[column] : half_unit(value, digits_); }
+
+ private:
+  int digits_ = 0, places_ = 0;
+  bool fixed_ = true;
+  std::array<double, columns.size()> unit_{};
+};
+
 class Reader {
  public:
   Reader(const std::string& path, const std::vector<Case>& cases) : path_(path), cases_(cases), rows_(path, columns) {}
@@ -75,6 +119,8 @@ class Reader {
     for (const CaseResult& result : results_) check_bodies(result);
     for (CaseResult& result : results_)
       std::sort(result.runs.begin(), result.runs.end(), [](const Run& a, const Run& b) { return a.steps < b.steps; });
+    for (CaseResult& result : results_)
+      for (Run& run : result.runs) note_rounding(run);
     return std::move(results_);
   }
 
@@ -125,11 +171,24 @@ class Reader {
   double number(Column column) {
     const double value = rows_.number(column);
     if (std::abs(value) > greatest) rows_.reject(column, fmt::format("at most {:g}", greatest));
+    printing_.take(column, value, rows_.text(column));
     return value;
   }
   std::optional<double> optional_number(Column column) {
     if (!rows_.has(column) || rows_.text(column).empty()) return std::nullopt;
     return number(column);
+  }
+  /// Once all of the file is read.
+  void note_rounding(Run& run) const {
+    const auto of = [&](Column first, Vec3 v) {
+      const auto at = [&](int i, double value) { return printing_.rounded(static_cast<Column>(first + i), value); };
+      return Vec3{at(0, v.x), at(1, v.y), at(2, v.z)};
+    };
+    for (const Body& b : run.bodies)
+      run.rounded.bodies.push_back(
+          {.position = of(x, b.position), .velocity = of(vx, b.velocity), .spin = of(wx, b.spin)});
+    if (run.contact_time) run.rounded.contact_time = printing_.rounded(contact_time, *run.contact_time);
+    if (run.max_overlap) run.rounded.max_overlap = printing_.rounded(max_overlap, *run.max_overlap);
   }
   void check_bodies(const CaseResult& result) const {
     for (const Run& run : result.runs)
@@ -143,6 +202,7 @@ class Reader {
   const std::vector<Case>& cases_;
   console::CsvReader rows_;
   std::vector<CaseResult> results_;
+  Printing printing_;
   std::set<std::tuple<std::string, int, std::size_t>> seen_;
 };
 
@@ -154,7 +214,7 @@ const CaseResult* Results::find(const std::string& wanted) const {
 }
 
 Results read_results(const std::string& path, const std::vector<Case>& cases) {
-  const std::string text = console::read_input(path);
+  const std::string text = console::read_text(path);
   Results results{remark(text, "engine"), remark(text, "version"), remark(text, "date"), remark(text, "by")};
   for (const auto& [key, value] : {std::pair("engine", results.engine), std::pair("version", results.version)})
     if (value.empty())

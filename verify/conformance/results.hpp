@@ -8,11 +8,18 @@
 
 namespace ricochet::verify::conformance {
 
+/// Half a unit of the last place of each number of a run, as it was printed.
+struct Rounded {
+  std::vector<Body> bodies = {};  ///< none: nothing was rounded
+  double contact_time = 0, max_overlap = 0;
+};
+
 /// One run of a case: the state at its end.
 struct Run {
   int steps = 0;             ///< in the case's time scale
   std::vector<Body> bodies;  ///< of the case's radii and masses
   std::optional<double> contact_time = {}, max_overlap = {};
+  Rounded rounded = {};
 };
 
 /// What an engine gave for a case.
@@ -32,7 +39,11 @@ struct Results {
 
 /// Comment lines "# engine: …", "# version: …", "# date: …", "# by: …" and the rows, see docs/conformance.md. Throws
 /// console::BadInput "file:line: column = value: must be …" for a case that is none, numbers that are not finite, rows
-/// that come twice and runs without all bodies.
+/// that come twice and runs without all bodies, and for a file that is not UTF-8.
+///
+/// What printing took of the numbers is read off the file: where all have as many places behind the point and none an
+/// exponent ("%.6f"), half a unit of the last; else ("%g") each is known to as many digits as its longest has, since
+/// trailing zeros may be left out.
 Results read_results(const std::string& path, const std::vector<Case>& cases);
 
 /// The same as text.

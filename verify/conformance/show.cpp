@@ -21,26 +21,12 @@ std::string percent(double share) {
   return (share < 1 ? console::significant(100 * share, 2) : console::fixed(100 * share, 0)) + " %";
 }
 
-std::string of_energy(const CaseGrade& grade) {
-  if (!grade.energy || grade.verdict == Verdict::exact) return {};
-  const double by = grade.energy->limit - grade.energy->exact;
-  if (grade.energy->made()) return fmt::format("{} of the energy too much", percent(by));
-  if (grade.energy->lost()) return fmt::format("{} of the energy too little", percent(-by));
-  return {};
-}
-
-/// As short as a column among many needs it.
-console::Cell short_cell(const CaseGrade& grade) {
-  const Graded* worst = grade.worst();
-  switch (grade.verdict) {
-    case Verdict::exact: return "✓ exact";
-    case Verdict::converges: return worst->order_uncertainty <= 0.5 ? "✓ h^" + console::fixed(worst->order, 1) : "✓";
-    case Verdict::too_coarse: return "coarse";
-    case Verdict::elsewhere: return "✗ " + percent(std::abs(worst->limit.value));
-    case Verdict::does_not_converge: return "✗ no limit";
-    case Verdict::not_run: break;
-  }
-  return console::blank();
+/// What the printed digits leave open where they are most of what does.
+std::string of_digits(const CaseGrade& grade) {
+  const Graded* most = nullptr;
+  for (const Graded& g : grade.answers)
+    if (g.answer.required && 2 * g.digits > g.floor && (!most || g.digits > most->digits)) most = &g;
+  return most ? fmt::format("the digits printed leave {} open", percent(most->digits)) : "";
 }
 
 console::Cell number_of(const Graded* g, double Graded::*member) {
@@ -62,6 +48,7 @@ Json json(const Graded& g) {
           {"limit", g.limit.value},
           {"uncertainty", g.limit.uncertainty},
           {"floor", g.floor},
+          {"digits", g.digits},
           {"order", console::number_or_null(g.order)},
           {"order_uncertainty", console::number_or_null(g.order_uncertainty)}};
 }
@@ -70,7 +57,7 @@ Json json(const CaseGrade& grade) {
   Json answers = Json::array(), causes = Json::array();
   for (const Graded& g : grade.answers) answers.push_back(json(g));
   for (const Cause& c : grade.causes)
-    causes.push_back({{"cause", c.what}, {"repeated", c.repeated}, {"misfit", c.misfit}});
+    causes.push_back({{"cause", c.what}, {"repeated", c.repeated}, {"rule", c.rule}, {"misfit", c.misfit}});
   Json energy = nullptr;
   if (grade.energy)
     energy = {{"exact", grade.energy->exact},
@@ -93,15 +80,44 @@ std::string in_short(const CaseGrade& grade) {
   if (grade.verdict == Verdict::converges)
     return worst->order_uncertainty <= 0.5 ? fmt::format("order {}", console::fixed(worst->order, 1)) : "converges";
   if (grade.verdict == Verdict::too_coarse) return "steps too coarse";
-  if (grade.verdict == Verdict::elsewhere) return "off by " + percent(std::abs(worst->limit.value));
+  if (grade.verdict == Verdict::elsewhere || grade.verdict == Verdict::another_rule)
+    return "off by " + percent(std::abs(worst->limit.value));
   return grade.verdict == Verdict::not_run ? "not run" : "does not converge";
+}
+
+std::string cause_of(const CaseGrade& grade) {
+  if (grade.verdict == Verdict::not_run) return grade.note;
+  std::string said;
+  for (const Cause& c : grade.causes) said += (said.empty() ? "" : "; or, equally well: ") + c.what;
+  return said.empty() && grade.verdict >= Verdict::elsewhere ? "no known cause fits" : said;
+}
+
+std::string sign_of(const CaseGrade& grade) {
+  const Graded* worst = grade.worst();
+  switch (grade.verdict) {
+    case Verdict::exact: return "✓ exact";
+    case Verdict::converges: return worst->order_uncertainty <= 0.5 ? "✓ h^" + console::fixed(worst->order, 1) : "✓";
+    case Verdict::too_coarse: return "coarse";
+    case Verdict::another_rule: return "≠ " + percent(std::abs(worst->limit.value));
+    case Verdict::elsewhere: return "✗ " + percent(std::abs(worst->limit.value));
+    case Verdict::does_not_converge: return "✗ no limit";
+    case Verdict::not_run: break;
+  }
+  return "–";
+}
+
+std::string energy_of(const CaseGrade& grade) {
+  if (!grade.energy || grade.verdict == Verdict::exact) return {};
+  const double by = grade.energy->limit - grade.energy->exact;
+  if (grade.energy->made()) return percent(by) + " of the energy too much";
+  if (grade.energy->lost()) return percent(-by) + " of the energy too little";
+  return {};
 }
 
 std::string why(const CaseGrade& grade) {
   if (grade.verdict == Verdict::not_run) return grade.note;
-  std::string said = grade.causes.empty() ? "" : grade.causes.front().what;
-  if (said.empty() && grade.verdict >= Verdict::elsewhere) said = "no known cause fits";
-  for (const std::string& more : {of_energy(grade), grade.note})
+  std::string said = cause_of(grade);
+  for (const std::string& more : {energy_of(grade), of_digits(grade), grade.note})
     if (!more.empty()) said += (said.empty() ? "" : "; ") + more;
   return said;
 }
@@ -114,6 +130,7 @@ Table engine_table(const std::vector<EngineGrade>& engines) {
                {"exact"},
                {"converges to it"},
                {"steps too coarse"},
+               {"another rule"},
                {"converges elsewhere"},
                {"does not converge"},
                {"not run"}},
@@ -121,24 +138,25 @@ Table engine_table(const std::vector<EngineGrade>& engines) {
   for (const EngineGrade& e : engines)
     table.row({static_cast<std::int64_t>(table.rows().size() + 1), e.results.engine, e.results.version, e.results.date,
                whole(e.count(Verdict::exact)), whole(e.count(Verdict::converges)), whole(e.count(Verdict::too_coarse)),
-               whole(e.count(Verdict::elsewhere)), whole(e.count(Verdict::does_not_converge)),
-               whole(e.count(Verdict::not_run))});
+               whole(e.count(Verdict::another_rule)), whole(e.count(Verdict::elsewhere)),
+               whole(e.count(Verdict::does_not_converge)), whole(e.count(Verdict::not_run))});
   return table;
 }
 
-Table side_by_side(const std::vector<EngineGrade>& engines, Heads heads) {
+Table side_by_side(const std::vector<EngineGrade>& engines) {
   std::vector<console::Column> columns{{"case"}};
-  for (const EngineGrade& e : engines)
-    columns.push_back({heads == Heads::names ? label(e.results) : std::to_string(columns.size())});
+  while (columns.size() <= engines.size()) columns.push_back({std::to_string(columns.size())});
   Table table(columns, "Cases by engine");
   for (std::size_t i = 0; !engines.empty() && i < engines.front().cases.size(); ++i) {
     std::vector<console::Cell> cells{engines.front().cases[i].of->name};
-    for (const EngineGrade& e : engines) cells.push_back(short_cell(e.cases[i]));
+    for (const EngineGrade& e : engines)
+      cells.push_back(e.cases[i].verdict == Verdict::not_run ? console::blank() : console::Cell(sign_of(e.cases[i])));
     table.row(cells);
   }
   table.note(
       "✓: right, converges to the answer, its errors falling with this power of the step h where one is to be seen (of "
-      "the number that is farthest off). ✗: converges elsewhere, off by this share of the answer's scale. coarse: "
+      "the number that is farthest off). ≠: goes by another rule for tangential springs than was asked, off by this "
+      "share of the answer's scale. ✗: converges elsewhere, off by so much. coarse: "
       "finer "
       "steps would tell. -: not run.");
   return table;
@@ -181,7 +199,7 @@ Table cause_table(const std::vector<EngineGrade>& engines) {
   Table table({{"engine"}, {"case"}, {"verdict"}, {"why"}}, "What goes elsewhere, and which known cause fits");
   for (const EngineGrade& e : engines)
     for (const CaseGrade& c : e.cases)
-      if (c.verdict == Verdict::elsewhere || c.verdict == Verdict::does_not_converge)
+      if (c.verdict >= Verdict::another_rule && c.verdict != Verdict::not_run)
         table.row({label(e.results), c.of->name, in_short(c), why(c)});
   return table;
 }
@@ -189,9 +207,7 @@ Table cause_table(const std::vector<EngineGrade>& engines) {
 Json to_json(const EngineGrade& engine) {
   Json cases = Json::array(), counts = Json::object();
   for (const CaseGrade& c : engine.cases) cases.push_back(json(c));
-  for (const Verdict v : {Verdict::exact, Verdict::converges, Verdict::too_coarse, Verdict::elsewhere,
-                          Verdict::does_not_converge, Verdict::not_run})
-    counts[std::string(text(v))] = engine.count(v);
+  for (const Verdict v : verdicts) counts[std::string(text(v))] = engine.count(v);
   return {{"engine", engine.results.engine},
           {"version", engine.results.version},
           {"date", engine.results.date},

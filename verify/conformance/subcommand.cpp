@@ -57,11 +57,7 @@ std::vector<std::string> files_of(const std::string& path) {
 
 EngineGrade graded(const std::string& file, const std::vector<Answered>& all, const std::vector<Case>& cases) {
   EngineGrade engine{read_results(file, cases), {}};
-  for (const Answered& one : all) {
-    const CaseResult* result = engine.results.find(one.of.name);
-    engine.cases.push_back(grade(one, result));
-    if (result) engine.cases.back().causes = causes(one, *result, engine.cases.back());
-  }
+  for (const Answered& one : all) engine.cases.push_back(explained(one, engine.results.find(one.of.name)));
   return engine;
 }
 
@@ -169,7 +165,7 @@ class Conformance : public Study {
       result.rows.push_back(to_json(e));
       runs += e.run(), right += e.right();
     }
-    result.tables = {engine_table(engines), side_by_side(engines, Heads::numbers), cause_table(engines)};
+    result.tables = {engine_table(engines), side_by_side(engines), cause_table(engines)};
     result.data = grade_table(engines);
     result.verdict = fmt::format("{} engines, {} cases; {} of {} that were run converge to the answer.", engines.size(),
                                  cases.size(), right, runs);

@@ -47,12 +47,12 @@ std::string link_to(const Outcome& outcome, const std::string& text) {
 
 /// The way into the page, beside it where there is room.
 std::string contents(const std::vector<Outcome>& outcomes, bool with_remarks) {
-  std::string list = "<li><a href=\"#studies\">All studies</a></li>\n";
-  if (with_remarks) list += "<li><a href=\"#print\">Where print and numbers differ</a></li>\n";
-  list += "<li><a href=\"#gates\">Gates</a></li>\n";
-  for (const Outcome& o : outcomes) list += fmt::format("<li>{}</li>\n", link_to(o, o.study->title()));
-  list += "<li><a href=\"#made\">How this page was made</a></li>\n";
-  return fmt::format("<nav class=\"contents\" id=\"contents\" aria-label=\"Contents\">\n<ul>\n{}</ul>\n</nav>\n", list);
+  std::vector<HtmlLink> links{{"#studies", "All studies"}};
+  if (with_remarks) links.push_back({"#print", "Where print and numbers differ"});
+  links.push_back({"#gates", "Gates"});
+  for (const Outcome& o : outcomes) links.push_back({"#" + anchor(o), o.study->title()});
+  links.push_back({"#made", "How this page was made"});
+  return console::html_contents(links);
 }
 
 /// One line a study.
@@ -65,9 +65,9 @@ std::string overview(const std::vector<Outcome>& outcomes) {
                {"what was found"},
                {"time", "s", {Notation::Kind::fixed, 1}}},
               "The studies");
-  std::vector<std::string> names;
+  std::vector<std::vector<std::string>> names;
   for (const Outcome& o : outcomes) {
-    names.push_back(link_to(o, o.study->title()));
+    names.push_back({link_to(o, o.study->title())});
     const Counts counts = o.result ? counts_of(*o.result) : Counts{};
     const auto number = [](std::size_t n) { return static_cast<std::int64_t>(n); };
     table.row({o.study->title(),
@@ -77,7 +77,7 @@ std::string overview(const std::vector<Outcome>& outcomes) {
                number(counts.passed), number(counts.failed), number(counts.skipped),
                o.error.empty() ? o.result->verdict : o.error, o.seconds});
   }
-  return console::html_table(table, {.id = "studies", .shown = 40, .raw_first = names});
+  return console::html_table(table, {.id = "studies", .shown = 40, .raw = names});
 }
 
 struct Judged {
@@ -112,7 +112,7 @@ std::string gates_table(const std::vector<Judged>& all, const std::string& id, c
                               {"room taken", "%", {Notation::Kind::fixed, 0}}};
   if (with_study) columns.insert(columns.begin() + 1, {"study"});
   Table table(columns, caption);
-  std::vector<std::string> outcomes;
+  std::vector<std::vector<std::string>> outcomes;
   for (const Judged& j : all) {
     const Gate& gate = *j.gate;
     const auto room = room_taken(gate);
@@ -121,9 +121,9 @@ std::string gates_table(const std::vector<Judged>& all, const std::string& id, c
                                      room ? console::Cell(100 * *room) : console::blank()};
     if (with_study) cells.insert(cells.begin() + 1, j.outcome->study->title());
     table.row(cells);
-    outcomes.push_back(console::html_status(gate.pass));
+    outcomes.push_back({console::html_status(gate.pass)});
   }
-  return console::html_table(table, {.id = id, .shown = 12, .most = 2000, .raw_first = outcomes});
+  return console::html_table(table, {.id = id, .shown = 12, .most = 2000, .raw = outcomes});
 }
 
 std::string remarks(const std::vector<Outcome>& outcomes) {
@@ -186,7 +186,7 @@ std::string gates(const Outcome& outcome) {
   std::string html = fmt::format("<h3>Gates</h3>\n<p>{} Everything as <a href=\"{}.json\">{}.json</a>.</p>\n",
                                  summary(counts_of(*outcome.result)), name, name);
   const auto mine = by_weight({&outcome, 1});
-  if (!mine.empty()) html += gates_table(mine, name + "-gates", "Gates of " + name, false);
+  if (!mine.empty()) html += gates_table(mine, name + "-gates", "Gates: " + outcome.study->title(), false);
   return html;
 }
 

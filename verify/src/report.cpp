@@ -50,7 +50,8 @@ std::vector<std::string> table_files(const Study& study, const StudyResult& resu
   return files;
 }
 
-std::vector<std::string> write_study(const Study& study, const StudyResult& result, console::OutputFolder& folder) {
+std::vector<console::Pictures> write_study(const Study& study, const StudyResult& result,
+                                           console::OutputFolder& folder) {
   folder.add(study.name() + ".json", console::document(study_json(study, result)));
   folder.add(gate_file(study), gate_data(result.gates).csv());
   if (result.data)
@@ -58,7 +59,7 @@ std::vector<std::string> write_study(const Study& study, const StudyResult& resu
   else
     for (std::size_t i = 0; i < result.tables.size(); ++i)
       folder.add(table_files(study, result)[i], result.tables[i].csv());
-  std::vector<std::string> pictures;
+  std::vector<console::Pictures> pictures;
   for (const console::Figure& figure : result.figures) pictures.push_back(console::draw(figure, folder));
   return pictures;
 }

@@ -141,8 +141,8 @@ console::Panel empty_panel(const std::vector<Panel>& panels) {
                 .label_offset = "1.2,0"}};
 }
 
-std::string drawn(const std::vector<Panel>& panels, const std::vector<std::string>& functions,
-                  const console::SeriesFile& file) {
+console::Plot drawn(const std::vector<Panel>& panels, const std::vector<std::string>& functions,
+                    const console::SeriesFile& file) {
   console::Plot plot{.layout = console::Layout{.rows = static_cast<int>((panels.size() + 3) / 3),
                                                .columns = 3,
                                                .left = 0.095,
@@ -168,7 +168,7 @@ std::string drawn(const std::vector<Panel>& panels, const std::vector<std::strin
   }
   for (std::size_t i = 0; i < functions.size(); ++i)
     plot.key.push_back({.style = style(i), .title = enhanced(functions[i])});
-  return script_of(plot);
+  return plot;
 }
 
 /// What was observed against what is stated, in words.
@@ -197,7 +197,7 @@ std::vector<console::Figure> convergence_figures(const std::vector<Convergence>&
     figures.push_back(
         {.name = name,
          .caption = fmt::format("{}: error against the number of steps N; triangles: the stated order.", scheme),
-         .script = drawn(panels, functions_of(panels), file),
+         .plot = drawn(panels, functions_of(panels), file),
          .data = {file.data()},
          .width = 1050,
          .height = 330 * static_cast<int>((panels.size() + 3) / 3),

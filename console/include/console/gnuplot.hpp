@@ -1,7 +1,5 @@
 #pragma once
 
-#include <console/plot.hpp>
-
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -12,6 +10,12 @@ namespace ricochet::console {
 
 // A plot in types, and the one place where it becomes a script of gnuplot. Words of gnuplot's own stand only where it
 // has a language that no list of ours would be better than: columns, styles, the place of a key.
+
+/// Data that a plot draws, written as a file of that name beside it.
+struct DataFile {
+  std::string name;  ///< for example "fig5.csv"
+  std::string bytes;
+};
 
 struct Axis {
   std::string label = {};
@@ -74,7 +78,13 @@ struct Polygon {
   std::string style = {};  ///< "fs solid 0.15 fc lt 1"
 };
 
+/// Where a panel's axes stand; shares of the picture.
+struct Box {
+  double left = 0, right = 1, bottom = 0, top = 1;
+};
+
 struct Panel {
+  std::optional<Box> box = {};  ///< without: as the layout has it
   std::string title = {};
   Axis x = {}, y = {};
   std::vector<Curve> curves = {};
@@ -91,10 +101,11 @@ struct Layout {
   int rows = 1, columns = 1;
   double left = 0, right = 1, bottom = 0, top = 1;  ///< edges of the whole
   double between_columns = 0, between_rows = 0;
+  bool down = false;  ///< one reads its columns first
 };
 
 struct Plot {
-  std::vector<Panel> panels = {};  ///< one, where there is no layout
+  std::vector<Panel> panels = {};  ///< one, where there is no layout and they have no boxes
   std::optional<Layout> layout = {};
   std::string key_panel = {};   ///< the place in one panel more, without axes, of a key
   std::vector<Curve> key = {};  ///< to these; without: to the first panel's curves

@@ -39,6 +39,9 @@ std::string run_as(const std::string& program);
 /// A word of a command line that a POSIX shell reads as this text.
 std::string shell_word(const std::string& text);
 
+/// The command line that a POSIX shell reads as this one.
+std::string typed(const std::string& program, int argc, const char* const* argv);
+
 /// Parses the command line into `app` and runs `body`. Every way out is an exit code and at most one line
 /// "<program>: …" on stderr: a wrong command line is bad input, --help and --version are done, exceptions map as
 /// exit_code() says; the library's "mass_eff = -1: must be …" is reported under the flag's name, "--mass-eff = -1".

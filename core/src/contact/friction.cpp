@@ -5,6 +5,7 @@
 #include <ricochet/support/require.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace ricochet {
 
@@ -27,14 +28,13 @@ struct Slide {
   bool sticks = false;
 };
 
-// Friction of the disc against the motion `at`, with impulse limit μN.
-Slide against(Vec3 direction, double spin_sign, Speeds at, double limit, double radius) noexcept {
-  const DiscFriction f = disc_friction(at.x / at.y);
+// Friction of the disc against a motion, with impulse limit μN.
+Slide against(Vec3 direction, double spin_sign, DiscFriction f, double limit, double radius) noexcept {
   return {-limit * f.force * direction, -limit * radius * f.torque * spin_sign, false};
 }
 
 // Sliding and torsion, the rolling impulse given (within `free`).
-Slide slide(const Friction& friction, const FrictionProblem& p, const SlipMotion& free, Vec3 guess) noexcept {
+Slide slide(const Friction& friction, const FrictionProblem& p, const SlipMotion& free, Slide guess) noexcept {
   const double a = p.contact_radius, N = p.normal_impulse;
   const Vec3 to_stop = free.slip + p.turning;
   const double hold = friction.mu_static() * N;
@@ -44,18 +44,19 @@ Slide slide(const Friction& friction, const FrictionProblem& p, const SlipMotion
     return {-to_stop / p.mobility.slip, a > 0 ? -free.spin / p.mobility.roll : 0, true};
 
   const Vec3 middle = 0.5 * (p.before.slip + free.slip);
-  const double limit = friction.coefficient(norm(middle + 0.5 * p.mobility.slip * guess)) * N;
+  const double limit = friction.coefficient(norm(middle + 0.5 * p.mobility.slip * guess.impulse)) * N;
   const double alpha = limit * p.mobility.slip, beta = limit * p.mobility.roll * a * a;
   // Midpoint rule: the impulse is that of the motion in the middle of the step.
   const double spin = 0.5 * (p.before.spin + free.spin);
-  if (const auto at = resisted({norm(middle), a * std::abs(spin)}, 0.5 * alpha, 0.5 * beta)) {
-    const Slide s = against(unit(middle), std::copysign(1.0, spin), *at, limit, a);
+  const double like = guess.torsion != 0 ? contact::ratio_of({norm(guess.impulse), std::abs(guess.torsion) / a}) : 0;
+  if (const auto f = resisted({norm(middle), a * std::abs(spin)}, 0.5 * alpha, 0.5 * beta, like)) {
+    const Slide s = against(unit(middle), std::copysign(1.0, spin), *f, limit, a);
     const double end_spin = free.spin + p.mobility.roll * s.torsion;
     if (dot(free.slip + p.mobility.slip * s.impulse, middle) >= 0 && end_spin * spin >= 0) return s;
   }
   // Implicit Euler: the impulse is that of the motion at the end.
-  if (const auto at = resisted({norm(to_stop), a * std::abs(free.spin)}, alpha, beta))
-    return against(unit(to_stop), std::copysign(1.0, free.spin), *at, limit, a);
+  if (const auto f = resisted({norm(to_stop), a * std::abs(free.spin)}, alpha, beta, like))
+    return against(unit(to_stop), std::copysign(1.0, free.spin), *f, limit, a);
   return {-to_stop / p.mobility.slip, a > 0 ? -free.spin / p.mobility.roll : 0, true};  // μ(u) > its value at the guess
 }
 
@@ -102,19 +103,18 @@ FrictionSolution friction_impulse(const Friction& friction, const FrictionProble
 
   const bool constant_mu = friction.decay() == 0 || friction.mu_dynamic() == friction.mu_static();
   SlipMotion free = p.free;
-  Vec3 sliding = guess.sliding;
+  Slide slid{guess.sliding, guess.torsion, false};
   for (int pass = 0; pass < 50; ++pass) {
     free.slip = p.free.slip + m.cross * s.impulse.rolling;
-    const Slide slid = slide(friction, p, free, sliding);
+    const Slide before = std::exchange(slid, slide(friction, p, free, slid));
     const Roll rolled = roll(p, p.free.roll + m.cross * slid.impulse, roll_limit);
     // What the new rolling impulse would change in the slip, against what sliding friction can change.
     const double rolling_change = std::abs(m.cross) * norm(rolled.impulse - s.impulse.rolling);
-    const double sliding_change = norm(slid.impulse - sliding);
+    const double sliding_change = norm(slid.impulse - before.impulse);
     s.impulse = {slid.impulse, slid.torsion, rolled.impulse};
     s.sticks = slid.sticks;
     s.holds_roll = rolled.holds;
-    sliding = slid.impulse;
-    const bool slide_settled = slid.sticks || constant_mu || sliding_change <= 1e-14 * norm(sliding);
+    const bool slide_settled = slid.sticks || constant_mu || sliding_change <= 1e-14 * norm(slid.impulse);
     if (rolling_change <= 1e-13 * m.slip * p.normal_impulse && slide_settled) break;
   }
   if (s.sticks) s.slip_fraction = slip_fraction(friction, p, free);

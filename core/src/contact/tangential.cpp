@@ -101,15 +101,14 @@ void cut_by_disc(LimitedTraction& out, const TangentialState& s, const Traction&
   out.traction.torsion = 0;
   if (!(limit > 0)) return;
   const double along = over_step(s.sliding, dt), about = over_step(s.torsion, dt);
-  const auto slip = contact::resisted({force / along, a * torque / about}, limit / along, limit * a * a / about);
-  if (!slip) {
+  const auto f = contact::resisted({force / along, a * torque / about}, limit / along, limit * a * a / about);
+  if (!f) {
     out.traction = wanted;
     out.slides = out.twists = false;
     return;
   }
-  const DiscFriction f = disc_friction(slip->x / slip->y);
-  out.traction.sliding = limit * f.force * contact::unit(wanted.sliding);
-  out.traction.torsion = std::copysign(limit * a * f.torque, wanted.torsion);
+  out.traction.sliding = limit * f->force * contact::unit(wanted.sliding);
+  out.traction.torsion = std::copysign(limit * a * f->torque, wanted.torsion);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace ricochet {
 namespace {
@@ -55,40 +56,60 @@ bool Cluster::needs_no_sweeps() {
   return braked_ == 0;
 }
 
-// What the bodies will do in the middle of the step if contacts pass what they passed in the last one.
-void Cluster::foresee() noexcept {
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
+// What spheres will do in the middle of the step if contacts pass what they passed in the last one.
+void Cluster::foresee(std::size_t first, std::size_t last) noexcept {
+  for (std::size_t i = first; i < last; ++i) {
     Motion& m = motions_[i];
-    m.velocity_mid = 0.5 * (m.velocity + state_.velocities[i]);
-    m.spin_mid = m.spin;
-    if (i >= radii_.size()) continue;
-    m.velocity_mid += 0.5 * state_.velocity_gains[i];
-    m.spin_mid += 0.5 * state_.spin_gains[i];
+    m.velocity_mid = 0.5 * (m.velocity + state_.velocities[i]) + 0.5 * std::exchange(state_.velocity_gains[i], {});
+    m.spin_mid = m.spin + 0.5 * std::exchange(state_.spin_gains[i], {});
+  }
+}
+
+// All that spheres do before their contacts pass anything.
+void Cluster::begin_step() {
+  const std::size_t spheres = size(), bodies = state_.velocities.size();
+  motions_.resize(bodies);
+  note_start(spheres, bodies);
+  share(spheres, [this](std::size_t first, std::size_t last) {
+    note_start(first, last);
+    fall(first, last);
+    if (!long_range_) foresee(first, last);
+  });
+  kick_by_fields();
+  if (long_range_) foresee(0, spheres);
+  for (std::size_t w = spheres; w < bodies; ++w) {
+    motions_[w].velocity_mid = 0.5 * (motions_[w].velocity + state_.velocities[w]);
+    motions_[w].spin_mid = motions_[w].spin;
   }
 }
 
 void Cluster::pass_at_once() {
-  foresee();
-  // Walls have entries of no consequence.
-  state_.velocity_gains.assign(motions_.size(), {});
-  state_.spin_gains.assign(motions_.size(), {});
+  begin_step();
   if (workers_) {
     passed_.resize(state_.contacts.size());
-    workers_->share(passed_.size(), block_size, [&](std::size_t first, std::size_t last, std::size_t) {
+    share(passed_.size(), [this](std::size_t first, std::size_t last) {
       pass_range(first, last, std::span(passed_).subspan(first, last - first));
     });
-    gather(passed_);
+    share(size(), [this](std::size_t first, std::size_t last) {
+      gather(passed_, first, last);
+      end_step(first, last);
+    });
+    book(passed_);
   } else {
     pass_range(0, state_.contacts.size(), {});
-  }
-  state_.velocity_gains.resize(size());
-  state_.spin_gains.resize(size());
-  for (std::size_t i = 0; i < radii_.size(); ++i) {
-    state_.velocities[i] += state_.velocity_gains[i] *= inverse_mass_[i];
-    state_.spins[i] += state_.spin_gains[i] *= inverse_inertia_[i];
+    end_step(0, size());
   }
   sweeps_ = 1;
   converged_ = true;
+}
+
+// What contacts have passed moves their spheres.
+void Cluster::end_step(std::size_t first, std::size_t last) noexcept {
+  for (std::size_t i = first; i < last; ++i) {
+    state_.velocities[i] += state_.velocity_gains[i] *= inverse_mass_[i];
+    state_.spins[i] += state_.spin_gains[i] *= inverse_inertia_[i];
+  }
+  fly(first, last);
 }
 
 // Of contacts first … last − 1, by blocks. Without `passed`, which takes what they pass, that is gathered at once.
@@ -99,7 +120,9 @@ void Cluster::pass_range(std::size_t first, std::size_t last, std::span<Passed> 
     const std::span<Passed> these =
         passed.empty() ? std::span(space.passed).first(end - k) : passed.subspan(k - first, end - k);
     pass_block(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(end), space, these);
-    if (passed.empty()) gather(these);
+    if (!passed.empty()) continue;
+    gather(these, 0, size());
+    book(these);
   }
 }
 
@@ -139,13 +162,22 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
   }
 }
 
-// Sums of impulses and torques and what is booked, in the order of the contacts.
-void Cluster::gather(std::span<const Passed> passed) noexcept {
+// What the contacts, in their order, pass to spheres first … last − 1: each sphere's sum is the same whoever makes it.
+void Cluster::gather(std::span<const Passed> passed, std::size_t first, std::size_t last) noexcept {
   for (const Passed& p : passed) {
-    state_.velocity_gains[p.i] += p.linear;
+    if (p.i >= last) break;  // contacts are ordered by i < j
+    if (p.i >= first) {
+      state_.velocity_gains[p.i] += p.linear;
+      state_.spin_gains[p.i] += p.on_i;
+    }
+    if (p.j < first || p.j >= last) continue;
     state_.velocity_gains[p.j] -= p.linear;
-    state_.spin_gains[p.i] += p.on_i;
     state_.spin_gains[p.j] += p.on_j;
+  }
+}
+
+void Cluster::book(std::span<const Passed> passed) noexcept {
+  for (const Passed& p : passed) {
     state_.lost_normal += p.lost_normal;
     state_.lost_friction += p.lost_friction;
     state_.wall_work += p.wall_work;

@@ -55,7 +55,7 @@ void Cluster::find_touching() {
   std::vector<ContactState> born;
   if (workers_) {
     touching_.resize(candidates_.size());
-    workers_->share(candidates_.size(), 64, [&](std::size_t first, std::size_t last, std::size_t) {
+    share(candidates_.size(), [this](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) touching_[k] = touches(candidates_[k].i, candidates_[k].j) ? 1 : 0;
     });
   }

@@ -7,30 +7,41 @@ namespace ricochet {
 
 void Cluster::step() {
   find_touching();
-  note_start();
-  if (needs_no_sweeps()) {
-    kick_by_fields();
+  if (needs_no_sweeps())
     pass_at_once();
-  } else {
-    prepare_normals();
-    prepare_rows();
-    kick_by_fields();
-    solve();
-    note_end();
-    conclude();
-  }
-  for (std::size_t i = 0; i < size(); ++i) state_.half_positions[i] += options_.step * state_.velocities[i];
+  else
+    pass_by_sweeps();
   ++state_.steps;
 }
 
-void Cluster::note_start() {
+void Cluster::pass_by_sweeps() {
   motions_.resize(state_.velocities.size());
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
+  note_start(0, motions_.size());
+  prepare_normals();
+  prepare_rows();
+  fall(0, size());
+  kick_by_fields();
+  solve();
+  note_end();
+  conclude();
+  fly(0, size());
+}
+
+void Cluster::note_start(std::size_t first, std::size_t last) noexcept {
+  for (std::size_t i = first; i < last; ++i) {
     Motion& m = motions_[i];
     m.velocity = state_.velocities[i], m.spin = state_.spins[i];
     m.inverse_mass = inverse_mass_[i], m.inverse_inertia = inverse_inertia_[i];
     if (i < radii_.size()) m.position = state_.half_positions[i], m.radius = radii_[i];
   }
+}
+
+void Cluster::fall(std::size_t first, std::size_t last) noexcept {
+  for (std::size_t i = first; i < last; ++i) state_.velocities[i] += options_.step * gravity_;
+}
+
+void Cluster::fly(std::size_t first, std::size_t last) noexcept {
+  for (std::size_t i = first; i < last; ++i) state_.half_positions[i] += options_.step * state_.velocities[i];
 }
 
 void Cluster::note_end() {
@@ -42,7 +53,6 @@ void Cluster::note_end() {
 
 void Cluster::kick_by_fields() {
   const double h = options_.step;
-  for (std::size_t i = 0; i < size(); ++i) state_.velocities[i] += h * gravity_;
   // At the step's end, to the bit as restore() takes it.
   if (walls_swing_) set_wall_velocities(static_cast<double>(state_.steps + 1) * h);
   if (!long_range_) return;

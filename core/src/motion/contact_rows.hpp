@@ -7,6 +7,16 @@
 // What a contact's solution begins with, by sweeps or at once.
 namespace ricochet {
 
+// part(first, last) for 0 … count − 1, split among the threads.
+template <class Part>
+void Cluster::share(std::size_t count, const Part& part) {
+  constexpr std::size_t grain = 64;
+  if (workers_)
+    workers_->share(count, grain, part);
+  else
+    part(0, count);
+}
+
 // From the centre of one sphere to that of another, across a border where that is nearer.
 RICOCHET_INNERMOST Vec3 Cluster::branch(std::uint32_t i, std::uint32_t j) const noexcept {
   const Vec3 way = state_.half_positions[j] - state_.half_positions[i];

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace ricochet {
 namespace {
@@ -33,37 +36,72 @@ std::size_t hash(Cell c) noexcept {
   return static_cast<std::size_t>(h ^ (h >> 29));
 }
 
-// Spheres sorted by the bucket of their cell: one bucket is one contiguous range.
-class Buckets {
+// Spheres of alike sizes, in cells of an edge that two of them reach across; sorted by the bucket of their cell: one
+// bucket is one contiguous range.
+class Level {
  public:
-  Buckets(std::span<const Vec3> positions, double edge)
-      : mask_(std::bit_ceil(std::max<std::size_t>(positions.size(), 1)) - 1),
+  Level(std::span<const Vec3> positions, std::span<const std::uint32_t> spheres, double edge)
+      : edge_(edge),
+        mask_(std::bit_ceil(std::max<std::size_t>(spheres.size(), 1)) - 1),
         begin_(mask_ + 2),
-        members_(positions.size()) {
-    cells_.reserve(positions.size());
-    for (const Vec3& p : positions) ++begin_[bucket(cells_.emplace_back(cell_of(p, edge))) + 1];
+        members_(spheres.size()) {
+    for (const std::uint32_t i : spheres) ++begin_[bucket(cell_of(positions[i], edge)) + 1];
     for (std::size_t b = 1; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t i = 0; i < cells_.size(); ++i) members_[next[bucket(cells_[i])]++] = i;
+    for (const std::uint32_t i : spheres) {
+      const Cell cell = cell_of(positions[i], edge);
+      members_[next[bucket(cell)]++] = {cell, i};
+    }
   }
 
-  const Cell& cell(std::uint32_t i) const noexcept { return cells_[i]; }
-
-  // The spheres of one cell; strangers of the same bucket are told apart by their cell.
+  // The spheres within an edge of this place, and some more.
   template <class Visit>
-  void visit(const Cell& c, Visit&& visit) const {
-    const std::size_t b = bucket(c);
-    for (std::uint32_t k = begin_[b]; k < begin_[b + 1]; ++k)
-      if (cells_[members_[k]] == c) visit(members_[k]);
+  void visit_around(Vec3 place, Visit&& visit) const {
+    const Cell home = cell_of(place, edge_);
+    for (std::int32_t x = home.x - 1; x <= home.x + 1; ++x)
+      for (std::int32_t y = home.y - 1; y <= home.y + 1; ++y)
+        for (std::int32_t z = home.z - 1; z <= home.z + 1; ++z) visit_cell({x, y, z}, visit);
   }
 
  private:
+  struct Member {
+    Cell cell;
+    std::uint32_t sphere;
+  };
+
+  // Strangers of the same bucket are told apart by their cell.
+  template <class Visit>
+  void visit_cell(const Cell& c, Visit& visit) const {
+    const std::size_t b = bucket(c);
+    for (std::uint32_t k = begin_[b]; k < begin_[b + 1]; ++k)
+      if (members_[k].cell == c) visit(members_[k].sphere);
+  }
   std::size_t bucket(const Cell& c) const noexcept { return hash(c) & mask_; }
 
+  double edge_;
   std::size_t mask_;
-  std::vector<std::uint32_t> begin_, members_;
-  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> begin_;
+  std::vector<Member> members_;
 };
+
+using Group = std::vector<std::uint32_t>;
+
+// The spheres by size, each group's within a factor of two, the largest first.
+std::vector<Group> by_size(std::span<const double> radii) {
+  const double greatest = *std::max_element(radii.begin(), radii.end());
+  std::map<int, Group> groups;
+  for (std::uint32_t i = 0; i < radii.size(); ++i) groups[std::ilogb(greatest / radii[i])].push_back(i);
+  std::vector<Group> sorted;
+  for (auto& [size, group] : groups) sorted.push_back(std::move(group));
+  return sorted;
+}
+
+// A margin of 10⁻⁶ covers the rounding of x/edge up to the outermost cell.
+double edge_of(const Group& group, std::span<const double> radii, double skin) {
+  double greatest = 0;
+  for (const std::uint32_t i : group) greatest = std::max(greatest, radii[i]);
+  return (2 * greatest + skin) * (1 + 1e-6);
+}
 
 }  // namespace
 
@@ -73,23 +111,25 @@ std::vector<NearPair> near_pairs(std::span<const Vec3> positions, std::span<cons
   for (double r : radii) support::require_positive("radius", r);
   std::vector<NearPair> pairs;
   if (positions.empty()) return pairs;
-  // A margin of 10⁻⁶ covers the rounding of x/edge up to the outermost cell.
-  const double edge = (2 * *std::max_element(radii.begin(), radii.end()) + skin) * (1 + 1e-6);
-  const Buckets buckets(positions, edge);
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    const Cell home = buckets.cell(i);
-    const std::size_t first = pairs.size();
-    const auto meet = [&](std::uint32_t j) {
-      if (j <= i) return;
-      const Vec3 d = positions[j] - positions[i];
-      const double reach = radii[i] + radii[j] + skin;
-      if (dot(d, d) <= reach * reach) pairs.push_back({i, j});
-    };
-    for (std::int32_t x = home.x - 1; x <= home.x + 1; ++x)
-      for (std::int32_t y = home.y - 1; y <= home.y + 1; ++y)
-        for (std::int32_t z = home.z - 1; z <= home.z + 1; ++z) buckets.visit({x, y, z}, meet);
-    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end());
+  // A sphere looks for those of its own size, each pair once, and for all the larger ones.
+  std::vector<Level> levels;
+  for (const Group& group : by_size(radii)) {
+    levels.emplace_back(positions, group, edge_of(group, radii, skin));
+    for (const std::uint32_t i : group) {
+      const std::size_t first = pairs.size();
+      for (const Level& level : levels) {
+        const bool own = &level == &levels.back();
+        level.visit_around(positions[i], [&](std::uint32_t j) {
+          if (own && j <= i) return;
+          const Vec3 d = positions[j] - positions[i];
+          const double reach = radii[i] + radii[j] + skin;
+          if (dot(d, d) <= reach * reach) pairs.push_back({std::min(i, j), std::max(i, j)});
+        });
+      }
+      std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end());
+    }
   }
+  if (levels.size() > 1) std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 

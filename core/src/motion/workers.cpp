@@ -16,6 +16,21 @@ Workers::~Workers() {
   for (std::thread& other : others_) other.join();
 }
 
+namespace {
+
+// Shares of one step follow each other within microseconds, and a thread that sleeps takes tens to wake: until the value
+// is another than `seen`, looks for a while before it sleeps.
+void await_other(const std::atomic<unsigned>& value, unsigned seen) {
+  constexpr int looks = 200;
+  for (int n = 0; n < looks; ++n) {
+    if (value.load(std::memory_order_acquire) != seen) return;
+    std::this_thread::yield();
+  }
+  value.wait(seen, std::memory_order_acquire);
+}
+
+}  // namespace
+
 void Workers::share(std::size_t count, std::size_t grain, const Part& part) {
   count_ = count, grain_ = grain, part_ = &part;
   busy_.store(static_cast<unsigned>(others_.size()), std::memory_order_relaxed);
@@ -23,19 +38,19 @@ void Workers::share(std::size_t count, std::size_t grain, const Part& part) {
   round_.notify_all();
   do_part(0);
   for (unsigned left = busy_.load(std::memory_order_acquire); left > 0; left = busy_.load(std::memory_order_acquire))
-    busy_.wait(left, std::memory_order_acquire);
+    await_other(busy_, left);
 }
 
 void Workers::do_part(std::size_t worker) const {
   const std::size_t grains = (count_ + grain_ - 1) / grain_, all = threads();
   const std::size_t first = grains * worker / all * grain_,
                     last = std::min(count_, grains * (worker + 1) / all * grain_);
-  if (first < last) (*part_)(first, last, worker);
+  if (first < last) (*part_)(first, last);
 }
 
 void Workers::work(std::size_t worker) {
   for (unsigned seen = 0;;) {
-    round_.wait(seen, std::memory_order_acquire);
+    await_other(round_, seen);
     seen = round_.load(std::memory_order_acquire);
     if (over_) return;
     do_part(worker);

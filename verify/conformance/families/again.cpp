@@ -1,5 +1,7 @@
 #include "common.hpp"
 
+#include <fmt/format.h>
+
 namespace ricochet::verify::conformance {
 
 namespace {
@@ -40,7 +42,7 @@ Case light_bead() {
   light.position.x = radius + 2e-5, heavy.position.x = light.position.x + 2 * radius, heavy.velocity.x = -0.5;
   Case c{.name = "re-contact-light-bead", .family = "re-contact"};
   c.title = "A light bead between a wall and a heavy one: it is touched again and again";
-  c.source = "three bodies on a line, laws as in the family normal";
+  c.source = fmt::format("m_i x_i'' = F_left − F_right of three bodies on a line; {}", linear_by_force);
   c.how = by_line;
   c.bodies = {light, heavy};
   c.walls = {Plane{}};
@@ -58,7 +60,7 @@ Case light_bead() {
 std::vector<Case> again_cases() {
   std::vector<Case> cases;
   const Body fast = thrown(0.5), slow = thrown(1e-2);
-  constexpr const char* powers = "after n bounces e^n of the velocity is left";
+  constexpr const char* powers = "after n bounces e^n of the velocity is left, as e does not depend on it";
   cases.push_back(between_walls("re-contact-linear", "Five bounces between two walls, linear law", powers, fast,
                                 calibrated(kind_of<Linear>, ContactEnd::force, tcol, 0.8, {0.5, fast.mass}), 5));
   cases.back().asked = {{Quantity::vx, 1, 0.5}};
@@ -73,7 +75,7 @@ std::vector<Case> again_cases() {
   Case spring = between_walls("re-contact-spring",
                               "Three oblique bounces between two walls: the tangential spring of "
                               "one contact is gone in the next",
-                              "three times the oblique binary collision", oblique,
+                              fmt::format("three times the oblique collision: {}", becker), oblique,
                               calibrated(kind_of<Linear>, ContactEnd::force, tcol, 0.8, {1e-2, slow.mass}), 3);
   const double mass = 2.0 / 7 * slow.mass, rate = std::acos(-0.5) / tcol;
   spring.tangential = rough(LinearTangential(mass * rate * rate), 0.3);

@@ -14,8 +14,8 @@ Linear linear(double k, double mass, double en) {
 }
 
 /// DEM01 and DEM02: a sphere of 0.2 m, 2600 kg/m³, let go with its centre at 0.5 m.
-Case drop(std::string name, std::string title, std::string source, double k, double en, double about) {
-  Case c{.name = std::move(name), .family = "bouncing", .title = std::move(title), .source = std::move(source)};
+Case drop(std::string name, std::string title, const std::string& source, double k, double en, double about) {
+  Case c{.name = std::move(name), .family = "bouncing", .title = std::move(title)};
   Body sphere = Body::of_density(0.1, 2600);
   sphere.position.x = 0.5;
   c.how = by_line;
@@ -28,7 +28,7 @@ Case drop(std::string name, std::string title, std::string source, double k, dou
   c.duration = std::round(about / c.time_scale) * c.time_scale;
   c.asked = {{Quantity::x, 1, 0.5}, {Quantity::vx, 1, std::sqrt(2 * gravity * 0.4)}};
   c.solver = on_a_line;
-  return c;
+  return published(c, source);
 }
 
 /// Beads that fly at a wall and at each other, along x.
@@ -89,7 +89,6 @@ Case pressed() {
   constexpr double r = 0.5e-3, between = 1.8e-3, k = 1e3;
   Case c{.name = "dem03-pressed", .family = "column"};
   c.title = "Two spheres are let go pressed together between two walls, under gravity";
-  c.source = std::string(mfix) + "DEM03, here with one damping at both walls";
   c.how = by_line;
   Body lower = Body::of_density(r, 2e4), upper = Body::of_density(r, 1e4);
   lower.position.x = between / 4, upper.position.x = 3 * between / 4;
@@ -103,7 +102,7 @@ Case pressed() {
   c.duration = 12 * c.time_scale;
   c.asked = {{Quantity::x, 1, 0.1 * r}, {Quantity::x, 2, 0.1 * r}};
   c.solver = on_a_line;
-  return c;
+  return published(c, std::string(mfix) + "DEM03, here with one damping at both walls");
 }
 
 }  // namespace

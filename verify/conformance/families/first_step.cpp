@@ -14,7 +14,8 @@ std::vector<Case> first_step_cases() {
   for (const double offset : {0.05, 1.0, 1.95}) {
     Case c{.name = fmt::format("first-step-{:.2f}", offset), .family = "first step"};
     c.title = fmt::format("As normal-linear-force, the touch {} steps after the start", offset);
-    c.source = "an order that holds for one place of the touch in the step only is none";
+    c.source =
+        fmt::format("{}; an order that holds for one place of the touch in the step only is none", linear_by_force);
     c.how = by_collide;
     c.bodies = touching(sphere, other);
     c.law = calibrated(kind_of<Linear>, ContactEnd::force, tcol, en, {speed, mass_eff(sphere, other)});

@@ -7,6 +7,7 @@ namespace ricochet::verify::conformance {
 namespace {
 
 // The two spheres of the paper's Table II.
+constexpr const char* swing = "m ζ'' = −k ζ: half a swing, and the velocity is turned round";
 constexpr double radius = 1.5e-3, density = 1000, speed = 0.5, tcol = 1e-4, en = 0.5;
 
 struct Spheres {
@@ -14,9 +15,10 @@ struct Spheres {
   Impact impact() const { return {speed, mass_eff(first, second)}; }
 };
 
-Case head_on(std::string name, std::string title, std::vector<Body> bodies, const Meeting& meeting,
+Case head_on(std::string name, std::string title, std::string source, std::vector<Body> bodies, const Meeting& meeting,
              const Impact& impact) {
-  Case c{.name = std::move(name), .family = "normal", .title = std::move(title), .source = paper, .how = by_collide};
+  Case c{.name = std::move(name), .family = "normal", .title = std::move(title), .source = std::move(source)};
+  c.how = by_collide;
   c.bodies = std::move(bodies);
   const bool wall = c.bodies.size() == 1;
   (wall ? c.wall_law : c.law) = meeting;
@@ -29,17 +31,20 @@ Case head_on(std::string name, std::string title, std::vector<Body> bodies, cons
   return c;
 }
 
-Case pair(std::string name, std::string title, const Meeting& meeting, Spheres spheres = {}) {
+Case pair(std::string name, std::string title, std::string source, const Meeting& meeting, Spheres spheres = {}) {
   const Impact impact = spheres.impact();
   // The centre of mass rests.
   spheres.first.velocity.x = speed * spheres.second.mass / (spheres.first.mass + spheres.second.mass);
   spheres.second.velocity.x = spheres.first.velocity.x - speed;
-  return head_on(std::move(name), std::move(title), touching(spheres.first, spheres.second), meeting, impact);
+  return head_on(std::move(name), std::move(title), std::move(source), touching(spheres.first, spheres.second), meeting,
+                 impact);
 }
 
-Case on_wall(std::string name, std::string title, Body body, double at_speed, const Meeting& meeting) {
+Case on_wall(std::string name, std::string title, std::string source, Body body, double at_speed,
+             const Meeting& meeting) {
   body.velocity = {-at_speed, 0, 0};
-  return head_on(std::move(name), std::move(title), touching_wall(body), meeting, {at_speed, body.mass});
+  return head_on(std::move(name), std::move(title), std::move(source), touching_wall(body), meeting,
+                 {at_speed, body.mass});
 }
 
 const char* words(ContactEnd end) { return end == ContactEnd::force ? "force" : "overlap"; }
@@ -53,6 +58,7 @@ void add_laws(std::vector<Case>& cases) {
       if (!kind.ends().offer(end) || at_rest) continue;
       cases.push_back(pair(fmt::format("normal-{}-{}", kind.name(), words(end)),
                            fmt::format("Two equal spheres, {} law, ended by {}", kind.name(), words(end)),
+                           kind == kind_of<Tsuji> ? by_tsuji : paper,
                            calibrated(kind, end, tcol, en, Spheres().impact())));
     }
 }
@@ -63,27 +69,50 @@ double hertz_on_rigid(double young, double poisson, double r) {
 }
 
 void add_published(std::vector<Case>& cases) {
+  const auto add = [&](const Case& c, const std::string& test) { cases.push_back(published(c, chung_ooi + test)); };
   constexpr ElasticSolid glass{4.8e10, 0.2};
   Spheres two{Body::of_density(0.01, 2800), Body::of_density(0.01, 2800)};
   two.first.velocity.x = 10, two.second.velocity.x = -10;
-  cases.push_back(head_on(
-      "chung-ooi-1-glass", "Two glass spheres, Hertz's law without loss", touching(two.first, two.second),
-      {Tsuji(hertz_stiffness(contact_modulus(glass, glass), 0.005), 0)}, {20, mass_eff(two.first, two.second)}));
-  cases.back().source = std::string(chung_ooi) + "1";
+  add(head_on("chung-ooi-1-glass", "Two glass spheres, Hertz's law without loss", "", touching(two.first, two.second),
+              {Tsuji(hertz_stiffness(contact_modulus(glass, glass), 0.005), 0)}, {20, mass_eff(two.first, two.second)}),
+      "1");
   cases.back().orders.leapfrog = 2;
-  cases.push_back(on_wall("chung-ooi-2-aluminium", "A sphere of aluminium alloy on a rigid plane, Hertz's law",
-                          Body::of_density(0.1, 2699), 0.2, {Tsuji(hertz_on_rigid(7e10, 0.3, 0.1), 0)}));
-  cases.back().source = std::string(chung_ooi) + "2";
+  add(on_wall("chung-ooi-2-aluminium", "A sphere of aluminium alloy on a rigid plane, Hertz's law", "",
+              Body::of_density(0.1, 2699), 0.2, {Tsuji(hertz_on_rigid(7e10, 0.3, 0.1), 0)}),
+      "2");
   cases.back().orders.leapfrog = 2;
   const Body alumina = Body::of_density(0.0025, 4000);
   const Impact fast{3.9, alumina.mass};
   const double k = hertz_on_rigid(3.8e11, 0.23, 0.0025);
   const double c = damping_of_restitution(0.6, ContactEnd::force) * std::sqrt(5 * alumina.mass * k);
-  cases.push_back(on_wall("chung-ooi-3-alumina", "An alumina sphere on a rigid plane, Tsuji's law, e = 0.6", alumina,
-                          fast.velocity, {Tsuji(k, c)}));
-  cases.back().source = std::string(chung_ooi) +
-                        "3; damping for the end by force, as D. Antypov, J. A. Elliott, EPL "
-                        "94, 50004 (2011) for the other";
+  add(on_wall("chung-ooi-3-alumina", "An alumina sphere on a rigid plane, Tsuji's law, e = 0.6", "", alumina,
+              fast.velocity, {Tsuji(k, c)}),
+      "3; damping for the end by force, as D. Antypov, J. A. Elliott, EPL 94, 50004 (2011) for the other");
+}
+
+void add_unequal(std::vector<Case>& cases) {
+  const Spheres heavy{Body::of_density(radius, density), Body::of_density(radius, 8 * density)};
+  cases.push_back(pair("unequal-masses", "Two spheres of masses 1 and 8, linear law",
+                       fmt::format("{}; {}", two_bodies, linear_by_force),
+                       calibrated(kind_of<Linear>, ContactEnd::force, tcol, en, heavy.impact()), heavy));
+  const Spheres large{Body::of_density(radius, density), Body::of_density(3 * radius, density)};
+  cases.push_back(pair("unequal-radii", "Two spheres of radii 1 and 3, Tsuji's law",
+                       fmt::format("{}; {}", two_bodies, by_tsuji),
+                       calibrated(kind_of<Tsuji>, ContactEnd::force, tcol, en, large.impact()), large));
+}
+
+void add_walls(std::vector<Case>& cases) {
+  const Body sphere = Body::of_density(radius, density);
+  const Impact to_wall{speed, sphere.mass};
+  for (const ContactEnd end : {ContactEnd::force, ContactEnd::overlap})
+    cases.push_back(
+        on_wall(fmt::format("wall-linear-{}", words(end)),
+                fmt::format("A sphere on a wall, linear law, ended by {}", words(end)),
+                fmt::format("{}; {}", wall_body, end == ContactEnd::force ? linear_by_force : linear_by_overlap),
+                sphere, speed, calibrated(kind_of<Linear>, end, tcol, en, to_wall)));
+  cases.push_back(on_wall("wall-elastic", "A sphere on a wall, linear law without loss: no energy is made", swing,
+                          sphere, speed, calibrated(kind_of<Linear>, ContactEnd::force, tcol, 1, to_wall)));
+  cases.back().orders.leapfrog = 2;
 }
 
 }  // namespace
@@ -92,26 +121,13 @@ std::vector<Case> normal_cases() {
   std::vector<Case> cases;
   add_laws(cases);
   const Impact two = Spheres().impact();
-  cases.push_back(pair("normal-elastic", "Two equal spheres, linear law without loss: no energy is made",
+  cases.push_back(pair("normal-elastic", "Two equal spheres, linear law without loss: no energy is made", swing,
                        calibrated(kind_of<Linear>, ContactEnd::force, tcol, 1, two)));
   cases.back().orders.leapfrog = 2;
   cases.push_back(pair("normal-much-loss", "Two equal spheres, overdamped linear law ended by force, e = 0.05",
-                       calibrated(kind_of<Linear>, ContactEnd::force, tcol, 0.05, two)));
-  const Spheres heavy{Body::of_density(radius, density), Body::of_density(radius, 8 * density)};
-  cases.push_back(pair("unequal-masses", "Two spheres of masses 1 and 8, linear law",
-                       calibrated(kind_of<Linear>, ContactEnd::force, tcol, en, heavy.impact()), heavy));
-  const Spheres large{Body::of_density(radius, density), Body::of_density(3 * radius, density)};
-  cases.push_back(pair("unequal-radii", "Two spheres of radii 1 and 3, Tsuji's law",
-                       calibrated(kind_of<Tsuji>, ContactEnd::force, tcol, en, large.impact()), large));
-  const Body sphere = Body::of_density(radius, density);
-  const Impact to_wall{speed, sphere.mass};
-  for (const ContactEnd end : {ContactEnd::force, ContactEnd::overlap})
-    cases.push_back(on_wall(fmt::format("wall-linear-{}", words(end)),
-                            fmt::format("A sphere on a wall, linear law, ended by {}", words(end)), sphere, speed,
-                            calibrated(kind_of<Linear>, end, tcol, en, to_wall)));
-  cases.push_back(on_wall("wall-elastic", "A sphere on a wall, linear law without loss: no energy is made", sphere,
-                          speed, calibrated(kind_of<Linear>, ContactEnd::force, tcol, 1, to_wall)));
-  cases.back().orders.leapfrog = 2;
+                       linear_by_force, calibrated(kind_of<Linear>, ContactEnd::force, tcol, 0.05, two)));
+  add_unequal(cases);
+  add_walls(cases);
   add_published(cases);
   return cases;
 }

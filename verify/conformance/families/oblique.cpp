@@ -24,8 +24,12 @@ LinearTangential damped(double mass) {
                           2 * sticking_mass(mass) * loss / tcol);
 }
 
-constexpr const char* becker = "V. Becker, T. Schwager, T. Pöschel, Phys. Rev. E 77, 011304 (2008)";
-constexpr const char* deen = "N. G. Deen et al., Chem. Eng. Sci. 62, 28 (2007)";
+constexpr const char* deen =
+    "k_t and c_t: N. G. Deen et al., Chem. Eng. Sci. 62, 28 (2007); where it slides our own rule, "
+    "docs/theory/tangential.md: "
+    "the dashpot stands beside the spring, behind the slider, so that no contact makes energy. Engines have other "
+    "rules, "
+    "docs/engines.md";
 constexpr const char* walton = "S. F. Foerster, M. Y. Louge, H. Chang, K. Allia, Phys. Fluids 6, 1108 (1994)";
 
 /// A sphere on the wall x = 0, its velocity turned from the normal towards y, its spin about z.
@@ -33,7 +37,7 @@ Case on_wall(std::string name, std::string title, std::string source, Body body,
              const TangentialContact& tangential) {
   const double speed = norm(body.velocity) + body.radius * norm(body.spin);
   Case c{.name = std::move(name), .family = "oblique", .title = std::move(title), .source = std::move(source)};
-  c.how = "the oblique binary collision, every change between sticking and sliding located, to 1e-9";
+  c.how = by_oblique;
   c.bodies = touching_wall(body);
   c.walls = {Plane{}};
   c.wall_law = meeting;
@@ -66,8 +70,9 @@ void add_angles(std::vector<Case>& cases) {
   const double mass = Body::of_density(radius, density).mass;
   cases.push_back(slow_on_wall("oblique-sticking", "20° from the normal, tangential spring: the contact sticks", becker,
                                20, half_reversed(mass)));
-  cases.push_back(
-      slow_on_wall("oblique-damped", "20° from the normal, tangential spring and dashpot", deen, 20, damped(mass)));
+  cases.push_back(slow_on_wall("oblique-damped",
+                               "20° from the normal, tangential spring and dashpot, a slider behind both", deen, 20,
+                               damped(mass)));
   cases.push_back(slow_on_wall("oblique-mixed", "45° from the normal, tangential spring: it sticks and slides", becker,
                                45, half_reversed(mass)));
   cases.push_back(
@@ -93,7 +98,7 @@ Case unequal_pair() {
   Case c{.name = "oblique-unequal-pair", .family = "oblique"};
   c.title = "Two spheres of radii 1 and 2 meet obliquely, one spinning";
   c.source = becker;
-  c.how = "the oblique binary collision, every change between sticking and sliding located, to 1e-9";
+  c.how = by_oblique;
   c.bodies = touching(first, second);
   c.law = of_linear(mass);
   c.tangential = rough(half_reversed(mass), mu);
@@ -133,8 +138,9 @@ void add_published_on_plane(std::vector<Case>& cases) {
   const auto add = [&](std::string name, std::string title, int test, const Solid& s, Body body, double friction,
                        double restitution) {
     const Hertzian h = hertzian(s, body.radius, body.mass, restitution, 1);
-    cases.push_back(on_wall(std::move(name), std::move(title), fmt::format("{}{}", chung_ooi, test), body, h.normal,
-                            rough(MindlinTangential(h.k_t), friction)));
+    cases.push_back(published(
+        on_wall(std::move(name), std::move(title), "", body, h.normal, rough(MindlinTangential(h.k_t), friction)),
+        fmt::format("{}{}", chung_ooi, test)));
   };
   const Body small = Body::of_density(2.5e-3, alumina.density);
   add("chung-ooi-4-alumina", "An alumina sphere on a rigid plane at 5°", 4, alumina, at_angle(small, 3.9, 5), 0.092,
@@ -158,8 +164,7 @@ void add_published_pairs(std::vector<Case>& cases) {
     const double mass = mass_eff(first, second), approach = first.velocity.x - second.velocity.x;
     const Hertzian h = hertzian(s, reduced, mass, 0.5, 2);
     Case c{.name = std::move(name), .family = "oblique", .title = std::move(title)};
-    c.source = fmt::format("{}{}", chung_ooi, test);
-    c.how = "the oblique binary collision, every change between sticking and sliding located, to 1e-9";
+    c.how = by_oblique;
     c.bodies = touching(first, second);
     c.law = h.normal;
     c.tangential = rough(MindlinTangential(h.k_t), 0.4);
@@ -168,7 +173,7 @@ void add_published_pairs(std::vector<Case>& cases) {
     const double spin = std::max(norm(first.spin), approach / first.radius);
     c.asked = {{Quantity::wz, 1, spin}, {Quantity::vy, 1, approach}, {Quantity::vx, 1, approach}};
     c.solver = one_collision;
-    cases.push_back(c);
+    cases.push_back(published(c, fmt::format("{}{}", chung_ooi, test)));
   };
   Body left = Body::of_density(0.1, copper.density), right = left;
   left.velocity.x = 0.2, right.velocity.x = -0.2, left.spin.z = 10, right.spin.z = -10;
@@ -181,8 +186,9 @@ void add_published_pairs(std::vector<Case>& cases) {
 
 Case dem05() {
   const Body body = at_angle(Body::of_density(2.5e-3, 4000), 3.9, 20);
-  return on_wall("dem05", "An alumina sphere on a wall at 20°, linear springs", std::string(mfix) + "DEM05", body,
-                 {Linear(1.72e7, 0)}, rough(LinearTangential(1.48e7), 0.092));
+  return published(on_wall("dem05", "An alumina sphere on a wall at 20°, linear springs", "", body, {Linear(1.72e7, 0)},
+                           rough(LinearTangential(1.48e7), 0.092)),
+                   std::string(mfix) + "DEM05");
 }
 
 /// Spins about the normal; the limit (2/3) μ a R is that of a disc that turns without sliding.

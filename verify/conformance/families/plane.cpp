@@ -14,7 +14,7 @@ Case on_floor(std::string name, std::string title, std::string source, double de
   const double angle = degrees * std::numbers::pi / 180;
   const double pressure = body.mass * gravity * std::cos(angle), k = pressure / (share * body.radius);
   Case c{.name = std::move(name), .family = "floor", .title = std::move(title), .source = std::move(source)};
-  c.how = "Runge-Kutta-Fehlberg 7(8) with error control, every change between sticking and sliding located";
+  c.how = by_floor;
   body.position.x = (1 - share) * body.radius;
   c.bodies = {body};
   c.walls = {Plane{}};
@@ -77,9 +77,10 @@ std::vector<Case> plane_cases() {
   cases.push_back(lasting(resisted, 40, 0.05));
   Body sliding = Body::of_density(0.5e-3, 1e4);
   sliding.velocity.y = 0.5;
-  cases.push_back(lasting(on_floor("dem04-sliding-to-rolling", "A sphere slides on a rough floor until it rolls",
-                                   std::string(mfix) + "DEM04, with a tangential spring", 0, sliding, 1e-4),
-                          160, 0.5));
+  cases.push_back(published(lasting(on_floor("dem04-sliding-to-rolling",
+                                             "A sphere slides on a rough floor until it rolls", "", 0, sliding, 1e-4),
+                                    160, 0.5),
+                            std::string(mfix) + "DEM04, with a tangential spring"));
   // Slides where μ < (2/7) tan θ.
   Case slides = on_floor("slope-sliding", "A sphere let go on a slope of 45°, μ = 0.2: it slides",
                          "Coulomb: v' = g (sin θ − μ cos θ), ω' = (5/2) μ g cos θ/r", 45, sphere, 1e-5);

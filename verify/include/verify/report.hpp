@@ -15,8 +15,9 @@ class OutputFolder;
 namespace ricochet::verify {
 
 /// Adds a study to the folder: <name>.json, <name>-gates.csv, its long table or each table in a file, and its figures
-/// with their data; returns the figures as SVG. Throws as console::OutputFolder and console::draw do.
-std::vector<std::string> write_study(const Study& study, const StudyResult& result, console::OutputFolder& folder);
+/// with their data; returns what a page shows of the figures. Throws as console::OutputFolder and console::draw do.
+std::vector<console::Pictures> write_study(const Study& study, const StudyResult& result,
+                                           console::OutputFolder& folder);
 
 /// Names of a study's CSV files: "orders.csv" for its long table, else "tcol.csv", "tcol-2.csv", … for each table.
 std::vector<std::string> table_files(const Study& study, const StudyResult& result);
@@ -25,8 +26,8 @@ std::vector<std::string> table_files(const Study& study, const StudyResult& resu
 struct Outcome {
   const Study* study;
   std::optional<StudyResult> result = {};
-  std::string error = {};                  ///< empty unless the study, or writing it, broke down
-  std::vector<std::string> pictures = {};  ///< SVG, one a figure
+  std::string error = {};                        ///< empty unless the study, or writing it, broke down
+  std::vector<console::Pictures> pictures = {};  ///< one a figure
   double seconds = 0;
 };
 

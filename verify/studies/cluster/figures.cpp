@@ -164,7 +164,7 @@ Figure trajectories(const Run& strong, const Run& weak) {
   return {
       .name = "cluster-trajectories",
       .caption = "Fig. 7: trajectories of the five spheres, seen along x; circles: where they start.",
-      .script = console::script_of(plot),
+      .plot = plot,
       .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), circles(strong)},
       .width = 900,
       .height = 600,
@@ -188,11 +188,10 @@ Figure velocities(const Run& strong, const Run& weak) {
           .caption =
               "Fig. 8: velocity and spin of sphere 1, and its spin in the frame of its contact with sphere 5 "
               "while the two collide; dashed: strong repulsion (α = 0.01), solid: weak (α = 0.97).",
-          .script = console::script_of(
-              {.panels = panels,
-               .layout =
-                   console::Layout{
-                       .rows = 4, .left = 0.12, .right = 0.81, .bottom = 0.07, .top = 0.98, .between_rows = 0.03}}),
+          .plot = {.panels = panels,
+                   .layout =
+                       console::Layout{
+                           .rows = 4, .left = 0.12, .right = 0.81, .bottom = 0.07, .top = 0.98, .between_rows = 0.03}},
           .data = {samples(strong, "cluster-strong.csv"), samples(weak, "cluster-weak.csv"), spins.data()},
           .width = 900,
           .height = 980,
@@ -230,7 +229,7 @@ Figure sequence(const Run& strong, const Run& weak, double until) {
   const auto shared = [until](const Run& run) { return 100 * overlap(run.collisions, until).shared; };
   return {.name = "cluster-sequence",
           .caption = "Fig. 9: when each pair collides, from the first touch to the first zero of the force.",
-          .script = console::script_of({.panels = {panel}}),
+          .plot = {.panels = {panel}},
           .data = {{"cluster-sequence.csv", csv}},
           .width = 800,
           .height = 400,
@@ -260,7 +259,7 @@ Figure binary(const std::vector<Run>& strong, const std::vector<Run>& weak, doub
   return {
       .name = "cluster-binary",
       .caption = "Share of the collision time during which more than one pair collides, against the stiffness k.",
-      .script = console::script_of({.panels = {panel}}),
+      .plot = {.panels = {panel}},
       .data = {{"cluster-binary.csv", csv}},
       .width = 700,
       .height = 430,

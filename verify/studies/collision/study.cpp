@@ -101,7 +101,7 @@ console::Figure work_figure(const std::vector<SolverConvergence>& all) {
           .caption =
               "Error of the restitution against the multiplications a collision costs, for every solver at "
               "alpha = 0.25; circles: 30 steps a contact.",
-          .script = console::script_of({.panels = {panel}}),
+          .plot = {.panels = {panel}},
           .data = {file.data()},
           .width = 1000,
           .height = 560};

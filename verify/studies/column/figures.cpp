@@ -87,19 +87,20 @@ console::Figure share_figure(const std::vector<std::size_t>& beads, const std::v
                                 .y = {.range = std::pair(0.0, 0.25)},
                                 .curves = all.curves,
                                 .key = key};
-  return {
-      .name = "column-share",
-      .caption =
-          "Dissipated share (62) of a column of beads that falls on a plate, against the number of beads; "
-          "right the laws with constant parameters, enlarged.",
-      .script = console::script_of(
-          {.panels = {all, enlarged},
-           .layout =
-               console::Layout{
-                   .columns = 2, .left = 0.07, .right = 0.725, .bottom = 0.17, .top = 0.91, .between_columns = 0.06}}),
-      .data = {{"column-share.csv", csv("nc", x, curves)}},
-      .width = 1150,
-      .height = 460};
+  return {.name = "column-share",
+          .caption =
+              "Dissipated share (62) of a column of beads that falls on a plate, against the number of beads; "
+              "right the laws with constant parameters, enlarged.",
+          .plot = {.panels = {all, enlarged},
+                   .layout = console::Layout{.columns = 2,
+                                             .left = 0.07,
+                                             .right = 0.725,
+                                             .bottom = 0.17,
+                                             .top = 0.91,
+                                             .between_columns = 0.06}},
+          .data = {{"column-share.csv", csv("nc", x, curves)}},
+          .width = 1150,
+          .height = 460};
 }
 
 console::Figure gap_figure(std::size_t beads, const std::vector<double>& gaps, const std::vector<ShareCurve>& curves) {
@@ -112,7 +113,7 @@ console::Figure gap_figure(std::size_t beads, const std::vector<double>& gaps, c
           .caption = fmt::format("Dissipated share (62) of {} beads against the gap between them: from detachment to "
                                  "single collisions.",
                                  beads),
-          .script = console::script_of({.panels = {panel}}),
+          .plot = {.panels = {panel}},
           .data = {{"column-gap.csv", csv("gap [m]", gaps, curves)}},
           .width = 900,
           .height = 480};

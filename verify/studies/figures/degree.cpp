@@ -53,7 +53,7 @@ console::Figure degree_figure(const DegreeSweep& sweep) {
   const std::size_t last = sweep.alpha.size() - 1;
   return {.name = "alpha",
           .caption = "Collision time and restitution of the pair of Figs. 3 and 4 over the conversion degree.",
-          .script = script_of(plot),
+          .plot = plot,
           .data = {{file, csv_of(sweep)}},
           .width = 900,
           .height = 380,

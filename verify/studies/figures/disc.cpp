@@ -87,7 +87,7 @@ console::Figure disc_figure() {
           .caption =
               "Friction of a contact that slides and spins at once, F of (36) and T of (44), over how much it "
               "slides for its spin.",
-          .script = console::script_of({.panels = {panel}}),
+          .plot = {.panels = {panel}},
           .data = {{file, csv}},
           .finding = fmt::format("Spin takes from the force and sliding from the torque: at λ = 1 F is {:.2f}, of 1 "
                                  "without spin, and T is {:.2f}, of {:.2f} without sliding.",

@@ -102,7 +102,8 @@ console::Figure panels(const std::string& name, const std::string& caption, cons
                                                .bottom = 0.07,
                                                .top = 0.95,
                                                .between_columns = labels,
-                                               .between_rows = 0.075}};
+                                               .between_rows = 0.075,
+                                               .down = true}};
   for (std::size_t row = 0; row < rows.size(); ++row)
     for (std::size_t column = 0; column < columns.size(); ++column) {
       std::vector<const Path*> shown;
@@ -115,7 +116,7 @@ console::Figure panels(const std::string& name, const std::string& caption, cons
     }
   return {.name = name,
           .caption = caption,
-          .script = script_of(plot),
+          .plot = plot,
           .data = {file.data()},
           .width = width,
           .height = 320 * static_cast<int>(rows.size())};
@@ -142,7 +143,7 @@ console::Figure overlaid(const std::string& name, const std::string& caption, co
   for (const Axes& a : axes) plot.panels.push_back(panel_of(all, paths.data(), file, a, ranges));
   return {.name = name,
           .caption = caption,
-          .script = script_of(plot),
+          .plot = plot,
           .data = {file.data()},
           .width = canvas.width,
           .height = canvas.height,

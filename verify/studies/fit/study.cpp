@@ -86,7 +86,7 @@ console::Figure figure_of(const Source& source, const std::vector<Measurement>& 
   plot.layout->left = 0.15;  // restitutions close to 1 are long words
   return {source.file,
           fmt::format("Laws fitted to {}.", source.label),
-          console::script_of(plot),
+          plot,
           {{file, table.csv()}},
           640,
           480,

@@ -123,7 +123,7 @@ console::Figure rebound_figure() {
           .caption =
               "Oblique impact of a 5 mm grain at 3.9 m/s with rigid friction and with springs in the tangent "
               "plane, and what Kharaz, Gorham and Salman (2001) measured.",
-          .script = console::script_of(plot),
+          .plot = plot,
           .data = {et.data(), spin.data(), angle.data()},
           .width = 1000,
           .height = 760};
@@ -164,7 +164,7 @@ console::Figure normalised_figure() {
           .caption =
               "Slip of the contact point after an impact with e_n = 0.5 over that before; past 7 every contact "
               "slides throughout.",
-          .script = console::script_of({.panels = {panel}}),
+          .plot = {.panels = {panel}},
           .data = {file.data()},
           .width = 800,
           .height = 560};

@@ -85,7 +85,7 @@ console::Figure error_figure(const std::vector<Curve>& curves, const std::vector
   }
   return {.name = "peers-error",
           .caption = "Restitution obtained less restitution asked, for the formulas that engines use.",
-          .script = console::script_of(console::with_key_below(panel, 6, 0.36)),
+          .plot = console::with_key_below(panel, 6, 0.36),
           .data = {{"peers-error.csv", csv}},
           .width = 900,
           .height = 560};

@@ -116,7 +116,7 @@ console::Figure drawing(const Table& table) {
   return {
       .name = "tcol",
       .caption = "The estimate (57) of the collision time over the exact one: just below 1 at alpha = 0, and falling.",
-      .script = console::script_of({.panels = {panel}}),
+      .plot = {.panels = {panel}},
       .data = {{"tcol.csv", table.csv()}}};
 }
 

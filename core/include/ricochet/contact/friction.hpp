@@ -13,7 +13,7 @@ struct DiscFriction {
 
 /// F and 𝒯 at λ = |u_t|/((w/2)|Ω|) ≥ 0 (∞ allowed), after Farkas, Bartels, Unger and Wolf, Phys. Rev. Lett. 90, 248302
 /// (2003). Complete elliptic integrals with modulus λ or 1/λ; for λ < 1/2 and λ > 2, where the closed form cancels,
-/// the hypergeometric series in λ² or λ⁻². Relative error below 1e-14.
+/// polynomials in λ² or λ⁻² which their hypergeometric series become. Relative error below 1e-14.
 DiscFriction disc_friction(double lambda) noexcept;
 
 /// Parameters of Eqs. (35)–(46) for one pair of materials.

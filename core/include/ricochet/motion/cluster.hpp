@@ -222,8 +222,12 @@ class Cluster {
   SlipMotion slip_before(const ContactState& c, const ContactGeometry& g) const noexcept;
   SlipMotion mean_slip(const ContactState& c, const ContactGeometry& g) const noexcept;
 
+  template <class Part>
+  void share(std::size_t count, const Part& part);
+  void note_start(std::size_t first, std::size_t last) noexcept;
+  void fall(std::size_t first, std::size_t last) noexcept;
   void kick_by_fields();
-  void note_start();
+  void fly(std::size_t first, std::size_t last) noexcept;
   void note_end();
   void list_candidates();
   void find_touching();
@@ -247,12 +251,15 @@ class Cluster {
   void sum_drags() noexcept;
   bool needs_no_sweeps();
   ContactGeometry geometry_of(const ContactState& c) const noexcept;
-  void foresee() noexcept;
+  void foresee(std::size_t first, std::size_t last) noexcept;
+  void begin_step();
   void pass_at_once();
+  void end_step(std::size_t first, std::size_t last) noexcept;
   struct Workspace;
   void pass_range(std::size_t first, std::size_t last, std::span<Passed> passed);
   void pass_block(std::uint32_t first, std::uint32_t last, Workspace& space, std::span<Passed> passed);
-  void gather(std::span<const Passed> passed) noexcept;
+  void gather(std::span<const Passed> passed, std::size_t first, std::size_t last) noexcept;
+  void book(std::span<const Passed> passed) noexcept;
   void pass(ContactState& c, const ContactGeometry& g, motion::NormalRow& along, Passed& passed) noexcept;
   Vec3 normal_then(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
   void pass_slide(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
@@ -265,6 +272,7 @@ class Cluster {
   void push(const ContactState& c, const ContactGeometry& g, double normal) noexcept;
   void apply(const ContactState& c, const ContactGeometry& g, double normal, const FrictionImpulse& f) noexcept;
   double normal_impulse(const ContactState& contact, const motion::NormalRow& row, double rate_free) const noexcept;
+  void pass_by_sweeps();
   double relax(std::size_t contact) noexcept;
   double accelerate(double last, bool restart) noexcept;
   void solve();

@@ -11,7 +11,7 @@ namespace ricochet::motion {
 /// Threads that wait to share a loop. Of one thread all is done by the caller.
 class Workers {
  public:
-  using Part = std::function<void(std::size_t first, std::size_t last, std::size_t worker)>;
+  using Part = std::function<void(std::size_t first, std::size_t last)>;
 
   /// `threads` ≥ 1, the caller among them.
   explicit Workers(std::size_t threads);
