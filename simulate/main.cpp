@@ -35,6 +35,7 @@ class View {
   View(const std::string& scene_file, const std::string& folder, const std::string& path) {
     if (path.empty()) return;
     std::vector<console::NamedFile> outputs;
+    outputs.reserve(std::size(simulate::run_files) + 1);
     for (const char* const name : simulate::run_files) outputs.push_back({"-o", fmt::format("{}/{}", folder, name)});
     outputs.push_back({"--view", path});
     console::require_apart({{{"SCENE", scene_file}}}, outputs);

@@ -183,8 +183,8 @@ double apart(const Cluster& a, const Cluster& b) {
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-// What halving the step changes in a packing of springs and in one of rigid friction, and what a tolerance of the sweeps
-// changes in this.
+// What halving the step changes in a packing of springs and in one of rigid friction, and what a tolerance of the
+// sweeps changes in this.
 void accuracy(const std::string& file, double seconds) {
   const Packing packing = read(file);
   const auto after = [&](const std::string& kind, double tolerance, double h) {

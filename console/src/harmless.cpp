@@ -1,5 +1,7 @@
 #include <console/harmless.hpp>
 
+#include <algorithm>
+
 namespace ricochet::console {
 
 std::size_t control_length(std::string_view text) noexcept {
@@ -17,10 +19,10 @@ bool has_controls(std::string_view text) noexcept {
 std::string without_controls(std::string text, bool lines) {
   if (!has_controls(text)) return text;
   std::string plain;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t control = lines && rest.front() == '\n' ? 0 : control_length(rest);
-    plain += control > 0 ? '?' : rest.front();
-    rest.remove_prefix(control > 0 ? control : 1);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t control = lines && text[at] == '\n' ? 0 : control_length(std::string_view(text).substr(at));
+    plain += control > 0 ? '?' : text[at];
+    at += std::max<std::size_t>(control, 1);
   }
   return plain;
 }

@@ -106,7 +106,7 @@ TEST_CASE("the page copies each law for each engine that has it, by the driver w
   CHECK(place(page, "<summary>fractional-zener, ended by force: exact by lammps-ricochet</summary>") > 0);
   CHECK(place(page, "<summary>linear, ended by overlap: exact </summary>") > 0);
   const std::string steps = text_between(page, ">Time step that keeps", "</table>");
-  CHECK(place(steps, "fractional force liggghts-ricochet, lammps-ricochet 1e-05 10") > 0);
+  CHECK(place(steps, "fractional force liggghts-ricochet, lammps-ricochet 5e-06 20") > 0);
 }
 
 TEST_CASE("the page says what one percent of k and c does to a linear contact, and whose force is greatest") {

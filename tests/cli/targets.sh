@@ -40,8 +40,9 @@ cmp <(cut -d, -f4 rows.csv | tail -n +2) <(cut -d, -f3 one.csv | tail -n +2)
 # What is interrupted leaves the file that was there.
 echo before >kept.csv
 mkfifo slow
-(head -3 rows.csv; sleep 20) >slow 2>/dev/null & feeder=$!
-"$calibrate" --targets slow -o kept.csv & job=$!
+# Enough rows for the first of them to be written.
+(cat rows.csv; sleep 20) >slow 2>/dev/null & feeder=$!
+"$calibrate" --targets slow -o kept.csv 2>/dev/null & job=$!
 begun() { [[ -n $(find . -name '.kept.csv.*') ]]; } # to write
 for ((k = 0; k < 300; ++k)); do begun && break || sleep 0.05; done
 begun || fail 'nothing to interrupt: no temporary file'

@@ -40,7 +40,8 @@ def still(program, case, folder):
     if case.name == "odd":
         raise kit.NotRun("no words for it")
     if case.name == "ill":
-        adapter.run_engine(["/bin/sh", "-c", f"echo 'ERROR: {folder}/deck: schlecht, tatsächlich'; echo bye; exit 3"], folder)
+        script = f"echo 'ERROR: {folder}/deck: schlecht, tatsächlich'; echo bye; exit 3"
+        adapter.run_engine(["/bin/sh", "-c", script], folder)
     return [outcome.Run(n, [outcome.State(b.position, b.velocity, b.spin) for b in case.bodies], 1e-4, None)
             for n in case.steps]
 

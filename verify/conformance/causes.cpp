@@ -346,8 +346,8 @@ void add_rules(const Case& c, const CaseGrade& grade, const Prediction& as_asked
       }
 }
 
-/// Of those that fit: the best where it does so clearly better than what was asked, and those that do no worse, clearly;
-/// but none with more departures where some of them do.
+/// Of those that fit: the best where it does so clearly better than what was asked, and those that do no worse,
+/// clearly; but none with more departures where some of them do.
 std::vector<Cause> told(std::vector<Candidate> all, const Prediction& as_asked, const CaseGrade& grade) {
   std::erase_if(all, [&](Candidate& c) {
     const Misfit m = misfit(c.prediction, grade);

@@ -77,7 +77,7 @@ std::optional<console::Figure> error_curves(const std::vector<EngineGroup>& grou
                          "The greatest error of an answer, as a share of its scale, among all cases of a family that "
                          "an engine ran, against the steps in a collision. Where a curve levels off, a case converges "
                          "elsewhere.",
-                         console::script_of(plot),
+                         plot,
                          {file.data()},
                          900,
                          400 + 24 * static_cast<int>(groups.size()),

@@ -47,23 +47,22 @@ struct Limit {
 /// Of values at the steps h, coarsest first, at least `fewest_runs`. Changes below `floor` do not matter; each value
 /// was rounded to ±`digits`.
 ///
-/// Smooth: Richardson's extrapolations of neighbours by first order, L₁, L₂, …, have differences D of which each of
-/// the last two is at most ρ times the one before, ρ = 0.35 as h is halved, 0.35^{log₂ r} as it is divided by r (of an
+/// Smooth: Richardson's extrapolations of neighbours by first order, L₁, L₂, …, have differences D of which each of the
+/// last two is at most ρ times the one before, ρ = 0.35 as h is halved, 0.35^{log₂ r} as it is divided by r (of an
 /// error a h + b h² it is 1/4, of a h + b h^{3/2} 0.354, of one that is irregular, a(h) h with any |a| ≤ K, about 1/2),
-/// or below `floor`.
-/// The last D alone would not tell how far the last L is off: it may be small by chance, as two errors that are alike
-/// differ by nothing, and so may the one before. So let E be the greatest of the last D, ρ times the one before and ρ²
-/// times that before it. If L is nearer to the limit than one of the three L before it, as the smooth errors above are,
-/// |e_n| ≤ ρ^k |e_{n−k}| for one k ≤ 3, then |L_n − L_{n−k}| ≥ (ρ^{−k} − 1) |e_n|. It is at most D_n + … + D_{n−k+1} ≤
-/// E (1 + ρ^{−1} + … + ρ^{1−k}) = E (ρ^{−k} − 1)/(ρ^{−1} − 1); hence |e_n| ≤ ρ/(1 − ρ) E, 0.54 E as h is halved. The
-/// uncertainty is 2 E, 3.7 times as much, and so many times that bound where steps are closer. Of six values of irregular
-/// errors one set in fourteen looks smooth; its limit is farther off than that in one of four hundred (than twice the
-/// last D in one of four). Rounding is raised to (h₁ + h₂)/(h₁ − h₂) `digits` by the extrapolation, which counts on top.
-/// Otherwise the limit is the finest value, and errors of first order, |d(h) − L| ≤ K h, are off by K h there: K is
-/// taken as twice the greatest |d(h) − d(finest)|/h.
-/// Values that do not settle (the greater of the last two differences of neighbours, over h, exceeds 2.5 times the
-/// greatest of those before: over two halvings that is an order below 1/3) are taken to wander on: the limit is known
-/// to twice the greater of those two differences.
+/// or below `floor`. The last D alone would not tell how far the last L is off: it may be small by chance, as two
+/// errors that are alike differ by nothing, and so may the one before. So let E be the greatest of the last D, ρ times
+/// the one before and ρ² times that before it. If L is nearer to the limit than one of the three L before it, as the
+/// smooth errors above are, |e_n| ≤ ρ^k |e_{n−k}| for one k ≤ 3, then |L_n − L_{n−k}| ≥ (ρ^{−k} − 1) |e_n|. It is at
+/// most D_n + … + D_{n−k+1} ≤ E (1 + ρ^{−1} + … + ρ^{1−k}) = E (ρ^{−k} − 1)/(ρ^{−1} − 1); hence |e_n| ≤ ρ/(1 − ρ) E,
+/// 0.54 E as h is halved. The uncertainty is 2 E, 3.7 times as much, and so many times that bound where steps are
+/// closer. Of six values of irregular errors one set in fourteen looks smooth; its limit is farther off than that in
+/// one of four hundred (than twice the last D in one of four). Rounding is raised to (h₁ + h₂)/(h₁ − h₂) `digits` by
+/// the extrapolation, which counts on top. Otherwise the limit is the finest value, and errors of first order, |d(h) −
+/// L| ≤ K h, are off by K h there: K is taken as twice the greatest |d(h) − d(finest)|/h. Values that do not settle
+/// (the greater of the last two differences of neighbours, over h, exceeds 2.5 times the greatest of those before: over
+/// two halvings that is an order below 1/3) are taken to wander on: the limit is known to twice the greater of those
+/// two differences.
 Limit limit_of(const std::vector<double>& h, const std::vector<double>& values, double floor, double digits = 0);
 
 /// One answer against what an engine gave. Errors are shares of the answer's scale.

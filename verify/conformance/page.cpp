@@ -151,7 +151,7 @@ std::string verdicts_explained() {
 std::string curves(const std::vector<EngineGroup>& groups) {
   const auto figure = error_curves(groups);
   return "<h2 id=\"curves\">Errors against steps</h2>\n" +
-         (figure ? console::html_figure(*figure, console::svg_of(*figure), {})
+         (figure ? console::html_figure(*figure, console::pictures_of(*figure), {})
                  : "<p>No case of these families was run.</p>\n");
 }
 

@@ -31,8 +31,8 @@ Elliptic elliptic(double modulus) noexcept {
   return {k, k * (1 - sum)};
 }
 
-// Terms of the series about λ = 0 and λ = ∞, which serve for λ² ≤ 1/4 and λ⁻² ≤ 1/4: there the closed forms would lose F
-// to cancellation as λ → 0 and both as λ → ∞, and a polynomial saves the mean's square roots. 4^{-40} is far below
+// Terms of the series about λ = 0 and λ = ∞, which serve for λ² ≤ 1/4 and λ⁻² ≤ 1/4: there the closed forms would lose
+// F to cancellation as λ → 0 and both as λ → ∞, and a polynomial saves the mean's square roots. 4^{-40} is far below
 // rounding.
 constexpr std::size_t terms = 40;
 using Series = std::array<double, terms>;

@@ -19,9 +19,9 @@ struct Speeds {
   double x, y;
 };
 
-/// Friction at the speeds x = X − αF(x/y), y = Y − β𝒯(x/y), the implicit step. Nothing if there are none above zero: then
-/// (X/α, Y/β) lies inside the limit curve and the contact sticks. The root is unique as (F, 𝒯) is the gradient of a
-/// convex function. `guess`: of x/y, where one is known; 0 and ∞ are none.
+/// Friction at the speeds x = X − αF(x/y), y = Y − β𝒯(x/y), the implicit step. Nothing if there are none above zero:
+/// then (X/α, Y/β) lies inside the limit curve and the contact sticks. The root is unique as (F, 𝒯) is the gradient of
+/// a convex function. `guess`: of x/y, where one is known; 0 and ∞ are none.
 std::optional<DiscFriction> resisted(Speeds start, double alpha, double beta, double guess = 0) noexcept;
 
 /// The ratio x/y at which the disc's friction is about `force` and `torque`, to 0.05 of itself.

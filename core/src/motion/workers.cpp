@@ -18,8 +18,8 @@ Workers::~Workers() {
 
 namespace {
 
-// Shares of one step follow each other within microseconds, and a thread that sleeps takes tens to wake: until the value
-// is another than `seen`, looks for a while before it sleeps.
+// Shares of one step follow each other within microseconds, and a thread that sleeps takes tens to wake: until the
+// value is another than `seen`, looks for a while before it sleeps.
 void await_other(const std::atomic<unsigned>& value, unsigned seen) {
   constexpr int looks = 200;
   for (int n = 0; n < looks; ++n) {

@@ -15,11 +15,11 @@ struct NearPair {
 };
 
 /// All pairs of spheres with |x_i − x_j| ≤ r_i + r_j + skin, ordered by (i, j). Space is unbounded: cells exist only
-/// where spheres are, found by hashing. Spheres whose radii are within a factor of two share a grid of edge 2 r + skin, r
-/// the greatest of them, and each sphere looks into those of its own size and of the larger ones: time and memory linear
-/// in the number of spheres (and one sort of the pairs), times the number of such grids, while as many spheres fit side
-/// by side as do not overlap.
-/// Throws std::invalid_argument for spans of unequal length, a radius not finite and > 0 or a negative skin.
+/// where spheres are, found by hashing. Spheres whose radii are within a factor of two share a grid of edge 2 r + skin,
+/// r the greatest of them, and each sphere looks into those of its own size and of the larger ones: time and memory
+/// linear in the number of spheres (and one sort of the pairs), times the number of such grids, while as many spheres
+/// fit side by side as do not overlap. Throws std::invalid_argument for spans of unequal length, a radius not finite
+/// and > 0 or a negative skin.
 std::vector<NearPair> near_pairs(std::span<const Vec3> positions, std::span<const double> radii, double skin);
 
 /// Keeps near_pairs valid while spheres move. After `update(x)`, every pair that overlaps at x is listed: a pair not
