@@ -127,12 +127,15 @@ std::string section(const EngineGroup& group) {
 
 std::string verdicts_explained() {
   const std::string known = console::shortest(100 * least_known);
+  const std::string another_rule =
+      "|L| is greater, and it is what a rule for tangential springs gives that engines have and say in place of the "
+      "one "
+      "that was asked";
   const std::string meanings[]{
       "every error is at most f",
       "|L| is at most u + f; h^1.0 is the power of the step that its errors fall with, where one is to be seen",
       fmt::format("so it is, but u is above {} %: finer steps would tell", known),
-      "|L| is greater, and it is what a rule for tangential springs gives that engines have and say "
-      "in place of the one that was asked",
+      another_rule,
       "|L| is greater",
       fmt::format("the values do not settle, and u is above {} %", known),
       fmt::format("the engine cannot run it, or gave fewer than {} runs or too close ones", fewest_runs)};
