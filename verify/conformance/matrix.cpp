@@ -49,7 +49,8 @@ const char* const matrix_style = R"css(
 .turned{vertical-align:bottom;padding:.4rem .1rem;min-width:3.4rem;text-align:center}
 .turned a{writing-mode:vertical-rl;transform:rotate(180deg);max-height:15rem;display:inline-block;line-height:1.2;
   font-weight:500}
-.sign{display:inline-block;min-width:3.2rem;text-align:center;padding:0 .4rem;border-radius:.2rem;margin-right:.5rem}
+.sign{color:var(--ink);display:inline-block;min-width:3.2rem;text-align:center;padding:0 .4rem;border-radius:.2rem;
+  margin-right:.5rem}
 @media print{.exact,.right,.rule,.else,.wander,.coarse{print-color-adjust:exact}}
 )css";
 
