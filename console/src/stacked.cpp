@@ -47,9 +47,9 @@ int titled(const std::vector<Curve>& curves) {
   return static_cast<int>(std::count_if(curves.begin(), curves.end(), [](const Curve& c) { return !c.title.empty(); }));
 }
 
-/// The lines of the key that stands under the panel: its own, where it has no room beside it, or that of all.
+/// The lines of the key that stands under the panel, where it covers nothing: its own, or that of all.
 int lines_under(const Plot& plot, const Panel& panel, bool first) {
-  if (panel.key.starts_with("outside") || panel.key.starts_with("at screen")) return titled(panel.curves);
+  if (!panel.key.empty()) return titled(panel.curves);
   return first && !plot.key_panel.empty() ? titled(plot.key.empty() ? panel.curves : plot.key) : 0;
 }
 

@@ -4,8 +4,8 @@
 
 namespace ricochet::console {
 
-/// The same figure for a screen as narrow as a phone's: its panels one below another, each with both its axes, and keys
-/// that stood beside or below the panels under all of them.
+/// The same figure for a screen as narrow as a phone's: its panels one below another, each with both its axes and its
+/// key under it.
 Figure stacked(const Figure& figure);
 
 }  // namespace ricochet::console
