@@ -70,7 +70,8 @@ TEST_CASE("the laws of Table II stand from the greatest overlap at the end to no
   CHECK(sorted.front()->collision.overlap_end == Approx(deepest * (1 - k1 / k2)).epsilon(1e-9));
   const std::string finding = figures::figure5(laws).finding;
   CHECK(finding.find("µm for hysteretic") < finding.find("µm for fractional"));
-  CHECK(finding.find("0.0 µm for linear1") != std::string::npos);
+  CHECK(finding.find("0.0 µm for linear, ended by overlap") != std::string::npos);
+  for (const auto& law : laws) CHECK(LawKind::named(law.title.substr(0, law.title.find(','))));
 }
 
 TEST_CASE("what each law misses of the sphere stands in its own column") {

@@ -35,7 +35,8 @@ console::Figure degree_figure(const DegreeSweep& sweep);
 
 /// A law of Table II with the printed coefficients.
 struct PrintedLaw {
-  std::string name;
+  std::string name;   ///< the paper's
+  std::string title;  ///< ours, "linear, ended by overlap"
   Collision collision;
   std::vector<Instant> points;
 };

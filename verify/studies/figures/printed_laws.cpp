@@ -18,7 +18,8 @@ using paper::pair, paper::table2;
 template <class Law>
 PrintedLaw printed(const std::string& name, const Law& law, ContactEnd end) {
   const Collision collision = collide(law, pair.impact, {.end = end});
-  return {name, collision, trace(law, pair.impact, collision.tcol, 2000)};
+  return {name, fmt::format("{}, ended by {}", Law::name, end == ContactEnd::overlap ? "overlap" : "force"), collision,
+          trace(law, pair.impact, collision.tcol, 2000)};
 }
 
 }  // namespace
@@ -31,7 +32,8 @@ std::vector<PrintedLaw> table2_laws() {
   laws.push_back(printed("hysteretic", Hysteretic(table2.hysteretic.k1, table2.hysteretic.k2), ContactEnd::force));
   const Fractional law(table2.fractional.k, table2.fractional.c, table2.fractional.alpha);
   const Collision collision = collide(law, pair.impact);
-  laws.push_back({"fractional", collision, closed_form(law, pair.impact, collision.tcol)});
+  laws.push_back(
+      {"fractional", "fractional, ended by force", collision, closed_form(law, pair.impact, collision.tcol)});
   return laws;
 }
 
@@ -48,7 +50,7 @@ std::vector<const PrintedLaw*> by_end_overlap(const std::vector<PrintedLaw>& law
 console::Figure figure5(const std::vector<PrintedLaw>& laws) {
   std::vector<console::Motion> motions;
   for (const PrintedLaw& law : laws) {
-    motions.push_back({law.name, {}});
+    motions.push_back({law.title, {}});
     const std::size_t every = law.points.size() > 1000 ? 10 : 1;
     for (std::size_t i = 0; i < law.points.size(); i += every)
       motions.back().moments.push_back(
@@ -56,9 +58,11 @@ console::Figure figure5(const std::vector<PrintedLaw>& laws) {
   }
   std::string order;
   for (const PrintedLaw* law : by_end_overlap(laws))
-    order += fmt::format("{}{:.1f} µm for {}", order.empty() ? "" : ", ", 1e6 * law->collision.overlap_end, law->name);
+    order += fmt::format("{}{:.1f} µm for {}", order.empty() ? "" : ", ", 1e6 * law->collision.overlap_end, law->title);
   auto figure = console::collision_panels(
-      "figure5", "Fig. 5: overlap, velocity and force under every law of Table II with the printed coefficients.",
+      "figure5",
+      "Fig. 5: overlap, velocity and force under every law of Table II with the printed coefficients; kuwabara-kono is "
+      "its nonlinear law.",
       motions);
   const double first = 1e6 * laws.front().collision.tcol;
   figure.finding = fmt::format(
