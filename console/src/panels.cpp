@@ -48,6 +48,7 @@ Panel panel_of(const std::vector<Motion>& motions, const SeriesFile& file, const
               .zero_line = true};
   std::vector<std::string> titles;
   for (const Motion& motion : motions) titles.push_back(motion.title);
+  panel.curves.reserve(motions.size());
   for (std::size_t i = 0; i < motions.size(); ++i)
     panel.curves.push_back({.file = file.name(),
                             .rows = file.rows(i),

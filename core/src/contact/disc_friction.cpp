@@ -69,11 +69,11 @@ constexpr Coefficients coefficients;
 template <std::size_t Count>
 struct Piece {
   double centre, half;
-  std::array<double, Count> c;
+  std::array<double, Count> c{};
 
   // Of its series in q: what stands beyond the last of Count powers gives way to lower ones, yⁿ → yⁿ − 2^{1−n} T_n(y),
   // the highest first.
-  constexpr Piece(Series b, double from, double to) : centre(0.5 * (from + to)), half(0.5 * (to - from)), c{} {
+  constexpr Piece(Series b, double from, double to) : centre(0.5 * (from + to)), half(0.5 * (to - from)) {
     for (std::size_t i = 0; i < terms; ++i)
       for (std::size_t n = terms - 1; n > i; --n) b[n - 1] += centre * b[n];
     double power = 1;

@@ -9,7 +9,7 @@
 
 namespace ricochet {
 
-using contact::admits_stick, contact::resisted, contact::Speeds, contact::unit;
+using contact::admits_stick, contact::resisted, contact::unit;
 
 Friction::Friction(double mu_static, double mu_dynamic, double decay, double rolling_arm)
     : mu_static_(mu_static), mu_dynamic_(mu_dynamic), decay_(decay), rolling_arm_(rolling_arm) {
