@@ -33,6 +33,7 @@ std::vector<Line> lines_of_laws(const Report& report) {
       lines.push_back({fmt::format("{}, {}", name(report.results[i].law), text(report.results[i].end)),
                        report.tangential[i].rebounds});
   std::vector<std::string> titles;
+  titles.reserve(lines.size());
   for (const Line& line : lines) titles.push_back(line.title);
   for (std::size_t i = 0; i < lines.size(); ++i) lines[i].style = console::law_line(titles, i);
   return lines;
