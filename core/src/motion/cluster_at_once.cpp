@@ -1,6 +1,7 @@
 // Contacts that do not act on each other within a step but by what they passed in the last one: springs and dashpots
 // that a step resolves. A block of contacts goes through all of it while it is in the nearest cache.
 #include "contact_rows.hpp"
+#include "slides.hpp"
 
 #include <ricochet/motion/cluster.hpp>
 
@@ -19,6 +20,7 @@ struct Cluster::Workspace {
   std::array<ContactGeometry, block_size> geometries;
   std::array<motion::NormalRow, block_size> rows;
   std::array<Passed, block_size> passed;
+  motion::Slides slides{};
 };
 
 // Each contact foresees what the others pass. With u the rates of all contacts, W their common mobility and D its
@@ -152,8 +154,19 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
     }
   };
   each_batch([](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.prepare(batch); });
-  for (std::uint32_t k = first; k < last; ++k)
-    pass(state_.contacts[k], geometries[k - first], rows[k - first], passed[k - first]);
+  for (std::uint32_t k = first; k < last; ++k) {
+    ContactState& c = state_.contacts[k];
+    const std::uint32_t n = k - first;
+    const Vec3 v = pass_normal(c, geometries[n], rows[n], passed[n]);
+    if (!slides_or_holds(c)) {
+      pass_tangential(c, geometries[n], rows[n], v, passed[n]);
+      continue;
+    }
+    space.slides.contacts[space.slides.count] = n;
+    add_slide(c, geometries[n], rows[n], v, space.slides);
+    if (space.slides.count == motion::Slides::lanes) pass_slides(first, space, passed);
+  }
+  if (space.slides.count > 0) pass_slides(first, space, passed);
   const double now = middle();
   each_batch([now](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.conclude(batch, now); });
   for (std::uint32_t k = first; k < last; ++k) {
@@ -186,7 +199,7 @@ void Cluster::book(std::span<const Passed> passed) noexcept {
 
 template <bool Turns>
 void Cluster::pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 v,
-                           Passed& passed, Course* course) const noexcept {
+                           Passed& passed, Course& course) const noexcept {
   const TangentialContact& law = models_[c.model].tangential;
   const Motion &one = motions_[c.record.i], &other = motions_[c.record.j];
   const SlipMobility m = slip_mobility(c, g);
@@ -221,55 +234,81 @@ void Cluster::pass_springs(ContactState& c, const ContactGeometry& g, const moti
   }
   c.friction = f;
   c.elongation = end.elongation, c.strained = end.stored;
-  if (course != nullptr) course->after = mean, course->sticks = found.sticks;
+  course.after = mean, course.sticks = found.sticks;
 }
 
-// The same for the contact that is met most: one that slides or sticks on its spring, neither fresh nor with springs
-// against torsion and rolling. In impulses, not in tractions.
-void Cluster::pass_slide(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 v,
-                         Passed& passed, Course* course) const noexcept {
+// Neither fresh nor with springs against torsion and rolling, at a body whose normal turns as a sphere's or not at all.
+RICOCHET_INNERMOST bool Cluster::slides_or_holds(const ContactState& c) const noexcept {
   const Model& model = models_[c.model];
-  const TangentialContact& law = model.tangential;
+  return model.compliant && !model.turns && !c.fresh && !curved(c.record.j);
+}
+
+RICOCHET_INNERMOST void Cluster::add_slide(const ContactState& c, const ContactGeometry& g,
+                                           const motion::NormalRow& along, Vec3 velocity_mid,
+                                           motion::Slides& s) const noexcept {
+  const std::size_t k = s.count++;
   const Motion &one = motions_[c.record.i], &other = motions_[c.record.j];
-  const double t = options_.step, span = c.lag, m = slip_mobility(c, g).slip;
-  const Vec3 n = g.normal, v_start = one.velocity - other.velocity - swept(c, g);
-  const Vec3 then = normal_then(c, g, v_start);
-  const Spring before = spring(law.law, c.approach.overlap), now = spring(law.law, g.overlap);
-  const Vec3 slip = tangential(v_start, n) + cross(g.arm_i * one.spin + g.arm_j * other.spin, n);
-  const Vec3 moved = slip - span / t * turning(c, g, v_start);
-  const Vec3 start = turned(c.elongation.slide, then, n);
-  const Vec3 held = tangential(motion::compliant::strained(before.stiffness, now.stiffness, start, span * moved), n);
-  const Vec3 last = tangential(c.friction.sliding, n);
-  const Vec3 mean_foreseen = tangential(v, n) + cross(g.arm_i * one.spin_mid + g.arm_j * other.spin_mid, n);
-  const Vec3 free = mean_foreseen - 0.5 * m * last;
-  const double drag = t * now.damping;
-  Vec3 impulse = -1.0 / (1 + 0.5 * drag * m) * (t * now.stiffness * held + drag * free);
-  Vec3 elongation = held;
-  const double speed = law.friction.depends_on_speed() ? norm(mean_foreseen) : 0;
-  const double limit = law.friction.coefficient(speed) * std::max(0.0, along.impulse);
-  const bool slides = motion::compliant::over(impulse, limit);
-  if (slides) {
-    const Vec3 passed_last = span < t ? -t * before.stiffness * start : turned(c.friction.sliding, then, n);
-    impulse =
-        motion::compliant::led(impulse, limit, passed_last, motion::compliant::halfway(before, start, moved, span));
-    impulse = contact::cut(impulse, limit).traction;
-    elongation = motion::compliant::relaxed(now, start, -1 / t * passed_last, -1 / t * impulse, span);
+  const TangentialLaw& law = models_[c.model].tangential.law;
+  const Spring then = spring(law, c.approach.overlap), now = spring(law, g.overlap);
+  const motion::compliant::Carried carried = motion::compliant::carried(then.stiffness, now.stiffness);
+  s.normal.set(k, g.normal);
+  s.arm_i[k] = g.arm_i, s.arm_j[k] = g.arm_j;
+  s.wall[k] = c.record.j >= radii_.size() ? 1 : 0;
+  s.velocity.set(k, one.velocity - other.velocity - swept(c, g));
+  s.spin_i.set(k, one.spin), s.spin_j.set(k, other.spin);
+  s.velocity_mid.set(k, velocity_mid);
+  s.swing.set(k, g.arm_i * one.spin_mid + g.arm_j * other.spin_mid);
+  s.elongation.set(k, c.elongation.slide);
+  s.last.set(k, c.friction.sliding);
+  s.span[k] = c.lag;
+  s.mobility[k] = slip_mobility(c, g).slip;
+  s.stiffness_then[k] = then.stiffness, s.stiffness[k] = now.stiffness, s.damping[k] = now.damping;
+  s.of_strain[k] = carried.strain, s.of_motion[k] = carried.motion;
+  s.pressing[k] = std::max(0.0, along.impulse);
+  s.strained[k] = c.strained;
+}
+
+// Where the springs pass more than friction can, the contact slides. In impulses, not in tractions.
+RICOCHET_INNERMOST void Cluster::limit_slide(const ContactState& c, motion::Slides& s, std::size_t k) const noexcept {
+  const TangentialContact& law = models_[c.model].tangential;
+  const double speed = law.friction.depends_on_speed() ? norm(s.foreseen[k]) : 0;
+  const double limit = law.friction.coefficient(speed) * s.pressing[k];
+  const Vec3 held = s.impulse[k];
+  const bool slides = motion::compliant::over(held, limit);
+  s.slides[k] = slides ? 1 : 0;
+  if (!slides) return;
+  const double t = options_.step, span = s.span[k];
+  const Spring then{s.stiffness_then[k], s.damping[k]}, now{s.stiffness[k], s.damping[k]};
+  const Vec3 start = s.start[k];
+  const Vec3 last = span < t ? -t * then.stiffness * start : turned(s.last[k], s.then[k], s.normal[k]);
+  const Vec3 led = motion::compliant::led(held, limit, last, motion::compliant::halfway(then, start, s.moved[k], span));
+  const Vec3 impulse = contact::cut(led, limit).traction;
+  s.impulse.set(k, impulse);
+  s.strain.set(k, motion::compliant::relaxed(now, start, -1 / t * last, -1 / t * impulse, span));
+}
+
+// All that are gathered in the lanes.
+void Cluster::pass_slides(std::uint32_t first, Workspace& space, std::span<Passed> passed) noexcept {
+  motion::Slides& s = space.slides;
+  motion::hold(s, options_.step, instructions_);
+  for (std::size_t k = 0; k < s.count; ++k) limit_slide(state_.contacts[first + s.contacts[k]], s, k);
+  motion::conclude(s, options_.step, instructions_);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const std::uint32_t n = s.contacts[k];
+    ContactState& c = state_.contacts[first + n];
+    Passed& p = passed[n];
+    const Vec3 impulse = s.impulse[k];
+    p.linear += impulse, p.on_i = s.on_i[k], p.on_j = s.on_j[k], p.lost_friction = s.lost[k];
+    c.friction.sliding = impulse, c.elongation.slide = s.strain[k], c.strained = s.stored[k];
+    if (walls_drive_) book_wall(c, space.geometries[n], space.rows[n], p);
+    if (!options_.records) continue;
+    const Vec3 spin = motions_[c.record.i].spin_mid - motions_[c.record.j].spin_mid, normal = s.normal[k];
+    Course course{};
+    course.after = {s.mean[k], dot(spin, normal), cross(spin, normal)};
+    course.sticks = s.slides[k] == 0;
+    note_course(c, space.geometries[n], space.rows[n].rate_mid, course);
   }
-  const Vec3 mean = free + 0.5 * m * impulse;
-  const double stored = 0.5 * now.stiffness * dot(elongation, elongation);
-  const double change = stored - 0.5 * before.stiffness * dot(start, start);
-  const double at_end = std::max(0.0, stored + 0.5 * t / span * change);
-  const bool sticks = !slides && now.stiffness == before.stiffness;
-  passed.lost_friction = sticks ? drag * dot(mean, mean) : c.strained - at_end - dot(impulse, mean);
-  const Vec3 lever = cross(n, impulse);
-  passed.linear += impulse;
-  passed.on_i = g.arm_i * lever, passed.on_j = g.arm_j * lever;
-  c.friction.sliding = impulse;
-  c.elongation.slide = elongation, c.strained = at_end;
-  if (course == nullptr) return;
-  const Vec3 spin = one.spin_mid - other.spin_mid;
-  course->after = {mean, dot(spin, n), cross(spin, n)};
-  course->sticks = !slides;
+  s.count = 0;
 }
 
 // Of `course` the mean motion stands in `after`.
@@ -282,7 +321,9 @@ void Cluster::note_course(ContactState& c, const ContactGeometry& g, double rate
   note_phases(c, g, course);
 }
 
-void Cluster::pass(ContactState& c, const ContactGeometry& g, motion::NormalRow& along, Passed& passed) noexcept {
+// Returns the velocity of i past j that is foreseen in the middle of the step.
+RICOCHET_INNERMOST Vec3 Cluster::pass_normal(const ContactState& c, const ContactGeometry& g, motion::NormalRow& along,
+                                             Passed& passed) const noexcept {
   const std::uint32_t i = c.record.i, j = c.record.j;
   const Vec3 v = motions_[i].velocity_mid - motions_[j].velocity_mid - swept(c, g);
   const double rate = dot(v, g.normal);
@@ -297,27 +338,28 @@ void Cluster::pass(ContactState& c, const ContactGeometry& g, motion::NormalRow&
             .lost_normal = 0,
             .lost_friction = 0,
             .wall_work = 0};
+  return v;
+}
+
+// What the walls' motion puts into a contact.
+void Cluster::book_wall(const ContactState& c, const ContactGeometry& g, const motion::NormalRow& along,
+                        Passed& passed) const noexcept {
+  passed.wall_work = wall_work(c, g, along.impulse, models_[c.model].rubs() ? c.friction : FrictionImpulse{},
+                               motions_[c.record.j].velocity);
+}
+
+void Cluster::pass_tangential(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 v,
+                              Passed& passed) const noexcept {
   const Model& model = models_[c.model];
-  const auto by_law = [&](Course* course) {
-    if (model.turns)
-      pass_springs<true>(c, g, along, v, passed, course);
-    else if (model.compliant && c.fresh)
-      pass_springs<false>(c, g, along, v, passed, course);
-    else if (model.compliant)
-      pass_slide(c, g, along, v, passed, course);
-    else if (course != nullptr)
-      course->after = motion::slip_of(g, v, motions_[i].spin_mid, motions_[j].spin_mid);
-  };
-  if (options_.records) {
-    Course course{};
-    by_law(&course);
-    note_course(c, g, along.rate_mid, course);
-  } else {
-    by_law(nullptr);
-  }
-  if (walls_drive_)
-    passed.wall_work =
-        wall_work(c, g, along.impulse, model.rubs() ? c.friction : FrictionImpulse{}, motions_[j].velocity);
+  Course course{};
+  if (model.turns)
+    pass_springs<true>(c, g, along, v, passed, course);
+  else if (model.compliant)
+    pass_springs<false>(c, g, along, v, passed, course);
+  else if (options_.records)
+    course.after = motion::slip_of(g, v, motions_[c.record.i].spin_mid, motions_[c.record.j].spin_mid);
+  if (options_.records) note_course(c, g, along.rate_mid, course);
+  if (walls_drive_) book_wall(c, g, along, passed);
 }
 
 }  // namespace ricochet

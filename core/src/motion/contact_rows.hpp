@@ -58,22 +58,22 @@ RICOCHET_INNERMOST Vec3 Cluster::swept(const ContactState& c, const ContactGeome
   return wall_of(c.record.j).swept(state_.half_positions[c.record.i] + g.arm_i * g.normal, middle());
 }
 
+// Whether the body is a wall that is curved or turns.
+RICOCHET_INNERMOST bool Cluster::curved(std::uint32_t j) const noexcept {
+  return j >= size() && !(wall_of(j).flat() && !wall_of(j).spins());
+}
+
 // What u_t gains over half a step while velocities stay as they are; v = v_i − v_j.
 RICOCHET_INNERMOST Vec3 Cluster::turning(const ContactState& c, const ContactGeometry& g, Vec3 v) const noexcept {
   const std::uint32_t j = c.record.j;
-  const bool wall = j >= size();
-  if (wall && !(wall_of(j).flat() && !wall_of(j).spins())) return wall_turning(c, 0.5 * options_.step);
-  return motion::turning(g, v, motions_[c.record.i].spin, motions_[j].spin, wall, 0.5 * options_.step);
+  if (curved(j)) return wall_turning(c, 0.5 * options_.step);
+  return motion::turning(g, v, motions_[c.record.i].spin, motions_[j].spin, j >= size(), 0.5 * options_.step);
 }
 
 // The normal at the time of the memory; all fly straight since.
 RICOCHET_INNERMOST Vec3 Cluster::normal_then(const ContactState& c, const ContactGeometry& g, Vec3 v) const noexcept {
   const std::uint32_t i = c.record.i, j = c.record.j;
-  if (j < size()) {
-    const Vec3 branch = (g.arm_i + g.arm_j) * g.normal + c.lag * v;
-    const double distance = norm(branch);
-    return distance > 0 ? 1 / distance * branch : g.normal;
-  }
+  if (j < size()) return motion::normal_before(g, v, c.lag);
   if (wall_of(j).flat()) return g.normal;
   const Vec3 then = state_.half_positions[i] - c.lag * motions_[i].velocity;
   return wall_of(j).meet(then, radii_[i], middle() - c.lag).normal;

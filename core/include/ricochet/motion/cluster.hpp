@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ricochet/contact/arms_block.hpp>
 #include <ricochet/contact/geometry.hpp>
 #include <ricochet/motion/bodies.hpp>
 #include <ricochet/motion/contact_state.hpp>
@@ -16,6 +17,10 @@
 #include <vector>
 
 namespace ricochet {
+
+namespace motion {
+struct Slides;
+}
 
 struct ClusterOptions {
   double step = 0;  ///< Δt [s], > 0
@@ -204,6 +209,7 @@ class Cluster {
   std::uint32_t model_of(std::uint32_t i, std::uint32_t j) const noexcept;
   ContactGeometry geometry(std::uint32_t i, std::uint32_t j, bool disc = true) const noexcept;
   const motion::Surface& wall_of(std::uint32_t j) const noexcept { return walls_[j - size()]; }
+  bool curved(std::uint32_t j) const noexcept;
   Vec3 branch(std::uint32_t i, std::uint32_t j) const noexcept;
   double middle() const noexcept { return time() + 0.5 * options_.step; }
   Vec3 wall_velocity(std::uint32_t i, std::uint32_t j) const noexcept;
@@ -260,13 +266,21 @@ class Cluster {
   void pass_block(std::uint32_t first, std::uint32_t last, Workspace& space, std::span<Passed> passed);
   void gather(std::span<const Passed> passed, std::size_t first, std::size_t last) noexcept;
   void book(std::span<const Passed> passed) noexcept;
-  void pass(ContactState& c, const ContactGeometry& g, motion::NormalRow& along, Passed& passed) noexcept;
+  Vec3 pass_normal(const ContactState& c, const ContactGeometry& g, motion::NormalRow& along,
+                   Passed& passed) const noexcept;
+  void pass_tangential(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
+                       Passed& passed) const noexcept;
+  bool slides_or_holds(const ContactState& c) const noexcept;
+  void add_slide(const ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity_mid,
+                 motion::Slides& slides) const noexcept;
+  void limit_slide(const ContactState& c, motion::Slides& slides, std::size_t lane) const noexcept;
+  void pass_slides(std::uint32_t first, Workspace& space, std::span<Passed> passed) noexcept;
   Vec3 normal_then(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
-  void pass_slide(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
-                  Passed& passed, Course* course) const noexcept;
   template <bool Turns>
   void pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
-                    Passed& passed, Course* course) const noexcept;
+                    Passed& passed, Course& course) const noexcept;
+  void book_wall(const ContactState& c, const ContactGeometry& g, const motion::NormalRow& along,
+                 Passed& passed) const noexcept;
   void note_course(ContactState& c, const ContactGeometry& g, double rate_mid, Course course) const noexcept;
   motion::NormalBatch batch(const Model& model) noexcept;
   void push(const ContactState& c, const ContactGeometry& g, double normal) noexcept;
@@ -318,6 +332,7 @@ class Cluster {
   std::vector<Encounter> finished_;
   std::unique_ptr<motion::Workers> workers_;  // where there are several
   std::vector<Passed> passed_;                // theirs
+  Instructions instructions_ = widest_instructions();
   std::size_t rebuilds_ = 0;
   int sweeps_ = 0;
   bool converged_ = true;

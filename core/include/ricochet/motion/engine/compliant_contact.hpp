@@ -73,9 +73,12 @@ RICOCHET_INNERMOST Vec3 halfway(Spring s, Vec3 elongation, Vec3 rate, double spa
 }
 
 /// A growing contact keeps its force: (kξ)' = k u; a shrinking one its strain: ξ' = u.
-RICOCHET_INNERMOST Vec3 strained(double k_then, double k_now, Vec3 before, Vec3 moved) noexcept {
-  if (k_now <= k_then || k_now <= 0) return before + moved;
-  return 1 / k_now * (k_then * before + 0.5 * (k_then + k_now) * moved);
+struct Carried {
+  double strain = 1, motion = 1;  ///< ξ = strain·ξ_then + motion·∫u dt
+};
+RICOCHET_INNERMOST Carried carried(double k_then, double k_now) noexcept {
+  if (k_now <= k_then || k_now <= 0) return {};
+  return {k_then / k_now, 0.5 * (k_then + k_now) / k_now};
 }
 
 /// ξ after `span` under a load from `first` to `last`, linear in time: k ξ + c ξ' = load.
@@ -179,8 +182,8 @@ RICOCHET_INNERMOST CompliantRow compliant_row(const TangentialContact& law, cons
   else
     row.before.slide = turned({c.elongation.slide, 0, {}}, a.normal_then, a.normal).slide;
   const double t = row.span;
-  row.held.slide = tangential(
-      compliant::strained(row.spring_then.stiffness, slide.stiffness, row.before.slide, t * a.motion.slip), a.normal);
+  const compliant::Carried over = compliant::carried(row.spring_then.stiffness, slide.stiffness);
+  row.held.slide = tangential(over.strain * row.before.slide + over.motion * t * a.motion.slip, a.normal);
   if (!Turns) return row;
   row.held.twist = row.before.twist + t * a.motion.spin;
   row.held.roll = tangential(row.before.roll + t * a.motion.roll, a.normal);
