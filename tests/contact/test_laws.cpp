@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
+#include <ricochet/contact/mean_force.hpp>
 #include <ricochet/ricochet.hpp>
+
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <cmath>
 #include <limits>
@@ -28,6 +31,26 @@ void check_energy_balance(const Law& law) {
   }
 }
 
+/// Mean of a force over an overlap that runs from one value to another. In s = ζ^{1/4} every power here is a polynomial,
+/// which Gauss's rule integrates as it stands.
+template <class Law>
+double mean_by_quadrature(const Law& law, double from, double to, double rate) {
+  const auto force = [&](double s) { return law.force({s * s * s * s, rate}, {}) * 4 * s * s * s; };
+  const double a = std::sqrt(std::sqrt(from)), b = std::sqrt(std::sqrt(to));
+  return boost::math::quadrature::gauss<double, 15>::integrate(force, a, b) / (to - from);
+}
+
+template <class Law>
+void check_mean_force(const Law& law) {
+  for (const auto& [from, to] : {std::pair(1e-5, 3e-5), std::pair(3e-5, 1e-5), std::pair(0.0, 2e-5),
+                                 std::pair(2e-5, 0.0), std::pair(1e-5, 1.0001e-5)})
+    for (const double dt : {1e-5, 1e-3}) {
+      const double rate = (to - from) / dt;
+      CAPTURE(Law::name, from, to, dt);
+      CHECK(mean_force(law, from, rate, {}, dt) == Approx(mean_by_quadrature(law, from, to, rate)).epsilon(1e-11));
+    }
+}
+
 }  // namespace
 
 TEST_CASE("a law rejects parameters outside its domain and names them") {
@@ -50,6 +73,12 @@ TEST_CASE("the forces are the formulas of the model") {
   CHECK(KuwabaraKono(1.4e6, 34).force(a, {}) == Approx(1.4e6 * 8e-9 - 34 * 2e-3 * 0.25).epsilon(1e-14));
   CHECK(Tsuji(1.4e6, 2).force(a, {}) == Approx(1.4e6 * 8e-9 - 2 * std::pow(4e-6, 0.25) * 0.25).epsilon(1e-14));
   CHECK(Fractional(5000, 0.1, 0.25).coefficient() == Approx(std::pow(0.1, 0.25) * std::pow(5000, 0.75)).epsilon(1e-14));
+}
+
+TEST_CASE("the mean of a force over a step is its integral") {
+  check_mean_force(Linear(5000, 0.1));
+  check_mean_force(KuwabaraKono(1.4e6, 34));
+  check_mean_force(Tsuji(1.4e6, 2));
 }
 
 TEST_CASE("a fractional law of order 0 is its k, of order 1 its c") {
