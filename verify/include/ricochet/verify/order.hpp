@@ -52,7 +52,7 @@ struct ObservedOrder {
 
 inline std::ostream& operator<<(std::ostream& out, const ObservedOrder& observed) { return out << observed.said; }
 
-namespace detail {
+namespace order {
 
 struct Line {
   double slope = 0, squares = 0, slope_error = 0;  ///< squares: sum of squared residuals
@@ -168,7 +168,7 @@ inline std::vector<std::pair<double, double>> sorted_meshes(std::span<const doub
   return meshes;
 }
 
-}  // namespace detail
+}  // namespace order
 
 /// The order that errors on three meshes or more show, in any order and with any refinement ratios.
 ///
@@ -182,28 +182,27 @@ inline std::vector<std::pair<double, double>> sorted_meshes(std::span<const doub
 /// Throws std::invalid_argument for fewer than three meshes, h not finite and > 0 or given twice, errors that are not
 /// finite, and a claim outside its domain. Errors may carry a sign, which is dropped.
 inline ObservedOrder observe_order(std::span<const double> h, std::span<const double> error, const OrderClaim& claim) {
-  detail::require_claim(claim);
+  order::require_claim(claim);
   ObservedOrder o;
   std::vector<double> x;
-  for (const auto& [step, e] : detail::sorted_meshes(h, error)) {
+  for (const auto& [step, e] : order::sorted_meshes(h, error)) {
     o.h.push_back(step), o.error.push_back(std::fabs(e)), x.push_back(std::log(step));
     const std::size_t i = o.h.size() - 1;
     o.pairwise.push_back(i == 0 ? std::numeric_limits<double>::quiet_NaN()
                                 : pairwise_order(o.h[i - 1], o.error[i - 1], o.h[i], o.error[i]));
   }
-  const double level = detail::floor_of(o, claim);
+  const double level = order::floor_of(o, claim);
   if (level <= claim.rounding) o.floor = level;
-  o.last = detail::usable_meshes(o);
+  o.last = order::usable_meshes(o);
   if (o.last < 3) {
     o.said = "undecided: only " + std::to_string(o.last) + " of " + std::to_string(o.h.size()) +
-             " meshes have an error above " +
-             (o.floor > 0 ? "the floor of rounding, " + detail::text(o.floor) : "zero");
+             " meshes have an error above " + (o.floor > 0 ? "the floor of rounding, " + order::text(o.floor) : "zero");
     return o;
   }
   std::vector<double> y;
   for (std::size_t i = 0; i < o.last; ++i) y.push_back(std::log(o.error[i]));
-  detail::fit_range(o, x, y, claim.allowed);
-  detail::judge(o, claim);
+  order::fit_range(o, x, y, claim.allowed);
+  order::judge(o, claim);
   return o;
 }
 
@@ -229,15 +228,15 @@ inline std::vector<double> refined(double coarsest, std::size_t meshes, double r
 /// left.
 inline ObservedOrder observe_order_by_finest(std::span<const double> h, std::span<const double> value,
                                              const OrderClaim& claim) {
-  detail::require_claim(claim);
-  const auto meshes = detail::sorted_meshes(h, value);
+  order::require_claim(claim);
+  const auto meshes = order::sorted_meshes(h, value);
   const auto [finest, reference] = meshes.back();
   std::vector<double> kept, errors;
   for (const auto& [step, v] : meshes)
     if (std::pow(finest / step, claim.stated) <= 1.0 / 50) kept.push_back(step), errors.push_back(v - reference);
-  detail::require(kept.size() >= 3, "meshes = " + std::to_string(kept.size()) +
-                                        ": must be at least 3 that are by the stated order fifty times less accurate "
-                                        "than the finest, which is the reference");
+  order::require(kept.size() >= 3, "meshes = " + std::to_string(kept.size()) +
+                                       ": must be at least 3 that are by the stated order fifty times less accurate "
+                                       "than the finest, which is the reference");
   return observe_order(kept, errors, claim);
 }
 
@@ -246,10 +245,10 @@ inline ObservedOrder observe_order_by_finest(std::span<const double> h, std::spa
 /// finest mesh is used up by it; four meshes or more. Throws as above. undecided where the iteration does not settle.
 inline ObservedOrder observe_order_by_richardson(std::span<const double> h, std::span<const double> value,
                                                  const OrderClaim& claim) {
-  detail::require_claim(claim);
-  const auto meshes = detail::sorted_meshes(h, value);
+  order::require_claim(claim);
+  const auto meshes = order::sorted_meshes(h, value);
   const std::size_t n = meshes.size();
-  detail::require(n >= 4, "meshes = " + std::to_string(n) + ": must be at least 4 for Richardson's extrapolation");
+  order::require(n >= 4, "meshes = " + std::to_string(n) + ": must be at least 4 for Richardson's extrapolation");
   const auto [h2, v2] = meshes[n - 1];
   const auto [h1, v1] = meshes[n - 2];
   double order = claim.stated;

@@ -16,19 +16,17 @@ namespace ricochet::motion {
 template <class Memory>
 inline constexpr std::size_t memory_size = std::is_empty_v<Memory> ? 0 : sizeof(Memory) / sizeof(double);
 
-namespace detail {
 // Braces let nothing but a double be made of a double (bar long double, which does not fit).
 template <class Memory, std::size_t... Each>
 constexpr bool made_of_doubles(std::index_sequence<Each...>) {
   return requires(double value) { Memory{(static_cast<void>(Each), value)...}; };
 }
-}  // namespace detail
 
 /// A memory that is an aggregate of doubles and nothing else, so that it can be saved and restored as such.
 template <class Memory>
 concept MemoryOfDoubles = std::is_empty_v<Memory> ||
     (std::is_trivially_copyable_v<Memory>&& std::is_aggregate_v<Memory> && sizeof(Memory) % sizeof(double) == 0 &&
-     detail::made_of_doubles<Memory>(std::make_index_sequence<sizeof(Memory) / sizeof(double)>()));
+     made_of_doubles<Memory>(std::make_index_sequence<sizeof(Memory) / sizeof(double)>()));
 
 /// The memories of all contacts of one law, side by side. A slot that is given back is the next to be taken. Empty
 /// memories take no room.
