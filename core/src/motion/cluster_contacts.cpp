@@ -8,9 +8,7 @@
 namespace ricochet {
 namespace {
 
-bool before(const ContactState& a, const ContactState& b) noexcept {
-  return std::pair(a.record.i, a.record.j) < std::pair(b.record.i, b.record.j);
-}
+NearPair pair_of(const ContactState& c) noexcept { return {c.record.i, c.record.j}; }
 
 // How long ago the distance |D − Vs| was R, for spheres that now overlap, D² < R²: the positive root of a quadratic.
 double time_since_touch(Vec3 D, Vec3 V, double R) noexcept {
@@ -67,21 +65,19 @@ void Cluster::find_touching() {
       closed_[k] = 1;
       add_drag(born.back(), 1);
     } else {
-      const auto first = state_.contacts.begin();
-      const auto c =
-          std::lower_bound(first, state_.contacts.end(), candidates_[k], [](const ContactState& a, NearPair b) {
-            return NearPair{a.record.i, a.record.j} < b;
-          });
-      separated_.push_back(static_cast<std::uint32_t>(c - first));
+      separated_.push_back(place_of(candidates_[k]));
       closed_[k] = 0;
     }
   }
-  drop_separated();
-  if (born.empty()) return;
-  const auto middle = static_cast<std::ptrdiff_t>(state_.contacts.size());
-  state_.contacts.insert(state_.contacts.end(), born.begin(), born.end());
-  std::inplace_merge(state_.contacts.begin(), state_.contacts.begin() + middle, state_.contacts.end(), before);
-  group_contacts();
+  if (!separated_.empty() || !born.empty()) exchange(born);
+}
+
+// Of the contact, or of the first one after it.
+std::uint32_t Cluster::place_of(NearPair pair) const noexcept {
+  const auto& contacts = state_.contacts;
+  const auto c = std::lower_bound(contacts.begin(), contacts.end(), pair,
+                                  [](const ContactState& a, NearPair b) { return pair_of(a) < b; });
+  return static_cast<std::uint32_t>(c - contacts.begin());
 }
 
 void Cluster::group_contacts() {
@@ -96,7 +92,7 @@ void Cluster::mark_closed() {
   separated_.clear();
   std::size_t near = 0;
   for (std::uint32_t k = 0; k < state_.contacts.size(); ++k) {
-    const NearPair pair{state_.contacts[k].record.i, state_.contacts[k].record.j};
+    const NearPair pair = pair_of(state_.contacts[k]);
     while (near < candidates_.size() && candidates_[near] < pair) ++near;
     if (near < candidates_.size() && candidates_[near] == pair)
       closed_[near] = 1;
@@ -166,24 +162,70 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
   if (options_.records) finished_.push_back(c.record);
 }
 
-void Cluster::drop_separated() {
-  if (separated_.empty()) return;
-  std::sort(separated_.begin(), separated_.end());
+// Contacts stay in the order of their pairs, those side by side in memory that are met one after the other. In a packing
+// some come and go in every step, so that only what lies between these moves: contacts first … last − 1 by `shift`.
+struct Cluster::Stay {
+  std::uint32_t first, last;
+  std::int32_t shift;
+};
+
+// Ends those that are separated, takes in those that are born.
+void Cluster::exchange(const std::vector<ContactState>& born) {
   auto& contacts = state_.contacts;
-  std::size_t kept = separated_.front();
-  auto next = separated_.begin();
-  for (std::size_t k = kept; k < contacts.size(); ++k) {
-    if (next != separated_.end() && *next == k) {
-      ++next;
-      add_drag(contacts[k], -1);
-      finish(contacts[k], geometry(contacts[k].record.i, contacts[k].record.j));
-    } else {
-      contacts[kept++] = contacts[k];
-    }
+  std::sort(separated_.begin(), separated_.end());
+  for (const std::uint32_t k : separated_) {
+    add_drag(contacts[k], -1);
+    finish(contacts[k], geometry(contacts[k].record.i, contacts[k].record.j));
   }
-  contacts.resize(kept);
+  std::vector<std::uint32_t> places;
+  for (const ContactState& c : born) places.push_back(place_of(pair_of(c)));
+  const std::vector<Stay> stays = stays_between(places);
+  const std::size_t count = contacts.size() + born.size() - separated_.size();
+  contacts.resize(std::max(contacts.size(), count));
+  const auto begin = contacts.begin();
+  for (const Stay& s : stays)
+    if (s.shift < 0) std::copy(begin + s.first, begin + s.last, begin + s.first + s.shift);
+  for (auto s = stays.rbegin(); s != stays.rend(); ++s)
+    if (s->shift > 0) std::copy_backward(begin + s->first, begin + s->last, begin + s->last + s->shift);
+  for (std::size_t k = 0; k < born.size(); ++k) contacts[places[k]] = born[k];
+  contacts.resize(count);
+  for (std::uint32_t m = 0; m < models_.size(); ++m) regroup(m, stays, places);
   separated_.clear();
-  group_contacts();
+}
+
+// What stays while the separated go and others come in before the contacts at `places`, which become their own places.
+std::vector<Cluster::Stay> Cluster::stays_between(std::vector<std::uint32_t>& places) const {
+  std::vector<Stay> stays;
+  std::uint32_t from = 0;
+  std::int32_t shift = 0;
+  const auto stay_until = [&](std::uint32_t at) {
+    if (at > from) stays.push_back({from, at, shift});
+    from = at;
+  };
+  auto gone = separated_.begin();
+  for (std::uint32_t& place : places) {
+    for (; gone != separated_.end() && *gone < place; ++gone, ++from, --shift) stay_until(*gone);
+    stay_until(place);
+    place += static_cast<std::uint32_t>(shift++);
+  }
+  for (; gone != separated_.end(); ++gone, ++from, --shift) stay_until(*gone);
+  stay_until(static_cast<std::uint32_t>(state_.contacts.size()));
+  return stays;
+}
+
+// The members of a model after an exchange.
+void Cluster::regroup(std::uint32_t model, const std::vector<Stay>& stays, const std::vector<std::uint32_t>& born) {
+  std::vector<std::uint32_t>& members = models_[model].members;
+  std::size_t kept = 0;
+  auto stay = stays.begin();
+  for (const std::uint32_t k : members) {
+    while (stay != stays.end() && k >= stay->last) ++stay;
+    if (stay != stays.end() && k >= stay->first) members[kept++] = k + static_cast<std::uint32_t>(stay->shift);
+  }
+  members.resize(kept);
+  for (const std::uint32_t k : born)
+    if (state_.contacts[k].model == model) members.push_back(k);
+  std::inplace_merge(members.begin(), members.begin() + static_cast<std::ptrdiff_t>(kept), members.end());
 }
 
 }  // namespace ricochet

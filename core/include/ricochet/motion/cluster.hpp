@@ -237,7 +237,11 @@ class Cluster {
   void note_end();
   void list_candidates();
   void find_touching();
-  void drop_separated();
+  std::uint32_t place_of(NearPair pair) const noexcept;
+  struct Stay;
+  void exchange(const std::vector<ContactState>& born);
+  std::vector<Stay> stays_between(std::vector<std::uint32_t>& places) const;
+  void regroup(std::uint32_t model, const std::vector<Stay>& stays, const std::vector<std::uint32_t>& born);
   void mark_closed();
   bool touches(std::uint32_t i, std::uint32_t j) const noexcept;
   ContactState begin_contact(std::uint32_t i, std::uint32_t j);
