@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 using namespace ricochet;
 
@@ -144,4 +147,52 @@ TEST_CASE("threads change no bit of a packing") {
     }
   }
   CHECK_THROWS_AS(Cluster(setup, {.step = step, .threads = 0}), std::invalid_argument);
+}
+
+namespace {
+
+// Two materials in turn, thrown about so fast that contacts come and go all the time.
+ClusterSetup shaken() {
+  ClusterSetup setup = thrown(5, 5, grains(springs()));
+  setup.interactions.insert({{0, 1}, grains(MindlinTangential(4e4, 0.28))});
+  setup.interactions.insert({{1, 1}, grains(LinearTangential(1e3, 0.1))});
+  for (std::size_t i = 0; i < setup.spheres.size(); ++i) {
+    setup.spheres[i].velocity = 20 * setup.spheres[i].velocity;
+    setup.spheres[i].material = i % 2;
+  }
+  for (Wall& wall : setup.walls) wall.material = 0;
+  return setup;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_of(const ClusterState& state) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const ContactState& c : state.contacts) pairs.emplace_back(c.record.i, c.record.j);
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("contacts that come and go stay in order, each with its law, as if the cluster had just been restored") {
+  const ClusterOptions options{.step = step};
+  Cluster going(shaken(), options), restored(shaken(), options);
+  std::size_t came = 0, went = 0, both = 0;
+  auto before = pairs_of(going.state());
+  for (int n = 0; n < 1500; ++n) {
+    restored.restore(going.state());
+    going.step(), restored.step();
+    const ClusterState one = going.state(), other = restored.state();
+    REQUIRE(one.half_positions == other.half_positions);
+    REQUIRE(one.spins == other.spins);
+    const auto now = pairs_of(one);
+    REQUIRE(now == pairs_of(other));
+    REQUIRE(std::is_sorted(now.begin(), now.end()));
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> born, gone;
+    std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(born));
+    std::set_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(gone));
+    came += born.size(), went += gone.size(), both += !born.empty() && !gone.empty() ? 1 : 0;
+    before = now;
+  }
+  CHECK(came > 300);
+  CHECK(went > 300);
+  CHECK(both > 20);
 }
