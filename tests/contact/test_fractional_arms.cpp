@@ -2,8 +2,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 using namespace ricochet;
 
@@ -143,4 +145,28 @@ TEST_CASE("A collision by FractionalArms has the restitution of the closed form"
       t += dt;
     }
   }
+}
+
+TEST_CASE("a step in one pass is the step and what the law then says, of any number of arms") {
+  constexpr double step = 1e-6;
+  std::set<std::size_t> numbers;
+  for (const double tolerance : {0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10}) {
+    const FractionalArms arms(Fractional(5000, 0.3, 0.3), memory_kernel(0.3, step, 1000 * step, tolerance), step);
+    numbers.insert(arms.arms());
+    FractionalArms::Memory one, two;
+    Approach before{0, 0.2};
+    for (int n = 0; n < 30; ++n) {
+      const double rate = 0.2 * std::cos(0.1 * n);
+      const Approach after{before.overlap + 0.5 * step * (before.rate + rate), rate};
+      arms.advance(one, before, after, step);
+      const MaxwellArms::Reading read = arms.advance_and_read(two, before, after);
+      REQUIRE(one == two);
+      CHECK(read.force == Approx(arms.force(after, one)).epsilon(1e-13));
+      CHECK(read.stored == Approx(arms.stored_energy(after, one)).epsilon(1e-13));
+      CHECK(read.dissipated == Approx(arms.dissipated_power(after, one)).epsilon(1e-13));
+      before = after;
+    }
+  }
+  CHECK(std::count_if(numbers.begin(), numbers.end(), [](std::size_t n) { return n % 2 == 1; }) > 0);
+  CHECK(std::count_if(numbers.begin(), numbers.end(), [](std::size_t n) { return n % 2 == 0; }) > 0);
 }

@@ -3,6 +3,8 @@
 #include <ricochet/fractional/decay_moments.hpp>
 #include <ricochet/support/require.hpp>
 
+#include <cstring>
+
 namespace ricochet {
 
 static_assert(ContactLaw<FractionalArms>);
@@ -14,6 +16,15 @@ namespace {
 struct Step {
   double decay, gain_before, gain_after;
 };
+
+// What every x86-64 and ARM64 holds in a register. Left to itself g++ takes the pairs apart.
+using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
+
+Pair pair_at(const double* from) noexcept {
+  Pair pair;
+  std::memcpy(&pair, from, sizeof pair);
+  return pair;
+}
 
 Step step_of(double rate, double dt) noexcept {
   const auto m = fractional::decay_moments(rate * dt);
@@ -82,6 +93,21 @@ double MaxwellArms::dissipated_power(Approach a, const Memory& m) const noexcept
   double power = dashpot_ * a.rate * a.rate;
   for (std::size_t j = 0; j < arms_; ++j) power += stiffness_[j] * rate_[j] * m.elongation[j] * m.elongation[j];
   return power;
+}
+
+// Even and odd arms apart, so that two go at a time; those past the last stay 0.
+MaxwellArms::Reading MaxwellArms::advance_and_read(Memory& m, Approach before, Approach after) const noexcept {
+  Pair force{spring_ * after.overlap, dashpot_ * after.rate};
+  Pair twice{force[0] * after.overlap, 0}, power{0, force[1] * after.rate};
+  for (std::size_t j = 0; j < arms_; j += 2) {
+    double* const place = &m.elongation[j];
+    const Pair q = pair_at(&decay_[j]) * pair_at(place) + pair_at(&gain_before_[j]) * before.rate +
+                   pair_at(&gain_after_[j]) * after.rate;
+    std::memcpy(place, &q, sizeof q);
+    const Pair pull = pair_at(&stiffness_[j]) * q, energy = pull * q;
+    force += pull, twice += energy, power += pair_at(&rate_[j]) * energy;
+  }
+  return {force[0] + force[1], 0.5 * (twice[0] + twice[1]), power[0] + power[1]};
 }
 
 }  // namespace ricochet

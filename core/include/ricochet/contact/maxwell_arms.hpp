@@ -61,6 +61,11 @@ class MaxwellArms {
   }
   double stored_energy(Approach a, const Memory& m) const noexcept;
   double dissipated_power(Approach a, const Memory& m) const noexcept;
+  /// `advance` over dt = step(), and `force`, `stored_energy` and `dissipated_power` at its end, in one pass.
+  struct Reading {
+    double force = 0, stored = 0, dissipated = 0;  ///< [N], [J], [W]
+  };
+  Reading advance_and_read(Memory& m, Approach before, Approach after) const noexcept;
 
  protected:
   /// `step` [s] > 0 is the time step that `advance` is fastest for (any other dt is as exact). Throws
@@ -77,6 +82,15 @@ class MaxwellArms {
   double dashpot_ = 0;                                                   // [N s/m]
   std::array<double, max_arms> stiffness_{}, rate_{};                    // of each arm [N/m], [1/s]
   std::array<double, max_arms> decay_{}, gain_before_{}, gain_after_{};  // over step_
+};
+
+/// A law whose memory moves as those of MaxwellArms: none that stretches its arms in another way.
+template <class Law>
+concept MovesAsArms = requires {
+  { &Law::advance } -> std::same_as<decltype(&MaxwellArms::advance)>;
+  { &Law::force } -> std::same_as<decltype(&MaxwellArms::force)>;
+  { &Law::stored_energy } -> std::same_as<decltype(&MaxwellArms::stored_energy)>;
+  { &Law::dissipated_power } -> std::same_as<decltype(&MaxwellArms::dissipated_power)>;
 };
 
 /// A law that engines step by MaxwellArms.

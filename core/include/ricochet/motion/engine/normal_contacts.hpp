@@ -181,20 +181,25 @@ class NormalContactsOf final : public NormalContacts {
     row.duration = 0, row.fixed_impulse = impulse, row.loss = loss;
   }
 
+  // Advances a memory and reads what the law then says.
+  MaxwellArms::Reading moved(Memory& memory, Approach before, Approach after, double dt) const {
+    if constexpr (MovesAsArms<Law>)
+      if (dt == law_.step()) return law_.advance_and_read(memory, before, after);
+    law_.advance(memory, before, after, dt);
+    return {law_.force(after, memory), law_.stored_energy(after, memory), law_.dissipated_power(after, memory)};
+  }
+
   // Advances the memory to the middle of the step and books the normal energies. The work of the impulse is what the
   // law stores, what its dashpots burn, and what the clamp at zero withholds; each is of second order.
   void advance(ContactState& c, NormalRow& row, double middle) {
     const double h = step_, rate = row.rate_mid;
     const Approach at{row.overlap, rate};
-    Memory& memory = memories_[c.slot];
-    law_.advance(memory, c.approach, at, c.lag);
-    const double force = law_.force(at, memory), burnt = law_.dissipated_power(at, memory);
+    const auto [force, held, burnt] = moved(memories_[c.slot], c.approach, at, c.lag);
     // Past the clamp the law's own balance no longer describes the motion: the arms go on being stretched, but by
     // nobody, so no more counts as stored than was and than the impulse has put in.
     const bool clamped = force <= 0 && clamped_;
-    double stored = law_.stored_energy(at, memory);
-    stored =
-        clamped ? std::clamp(c.stored + row.impulse * rate, 0.0, stored) : stored + 0.5 * h * (force * rate - burnt);
+    const double stored =
+        clamped ? std::clamp(c.stored + row.impulse * rate, 0.0, held) : held + 0.5 * h * (force * rate - burnt);
     const bool closes = !clamped && c.force > 0 && row.duration > 0;
     row.loss = closes ? h * burnt + (row.impulse - h * force) * rate : row.impulse * rate - (stored - c.stored);
     c.stored = stored;
