@@ -40,8 +40,8 @@ TEST_CASE("the normal and the damping model ask for each other") {
 
 TEST_CASE("tangential models that take Young's modulus from the normal one are refused") {
   for (const char* mindlin : {"mindlin", "mindlin/force", "mindlin_rescale"})
-    CHECK(
-        contains(complaint("modulus", one_law(law, std::string("tangential ") + mindlin + " NULL 0 0.1")), "material"));
+    CHECK(contains(complaint("modulus", one_law(law, std::string("tangential ") + mindlin + " NULL 0 0.1")),
+                   "Must either specify tangential stiffness or material properties"));
 }
 
 TEST_CASE("a step too coarse for the collisions is warned of, and refused") {
