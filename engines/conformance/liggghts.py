@@ -79,9 +79,13 @@ def memory(case: Case, law: Law) -> Model:
     """The laws that liggghts-ricochet adds, by their parameters: k is fractionalK."""
     if law.end != "force":
         raise NotRun(f"model {law.name} ends contacts by force")
-    if case.tangential:
-        raise NotRun(f"model {law.name} makes k_t of a spring of its own")
-    return Model(law.name, "", {f"fractional{name.capitalize()}": value for name, value in law.parameters.items()})
+    t = case.tangential
+    if t and t.name != "linear":
+        raise NotRun(f"model {law.name} has a constant k_t")
+    if t and (t.torsion or t.mu_rolling > 0):
+        raise NotRun(f"rolling_friction makes its springs of a kn that model {law.name} takes of no case")
+    properties = {f"fractional{name.capitalize()}": value for name, value in law.parameters.items()}
+    return Model(law.name, "", {**properties, "kt": t.k_t, "gammat_abs": t.c_t} if t else properties)
 
 
 def model(program: str, case: Case, law: Law, a: Body, b: Optional[Body]) -> Model:

@@ -4,6 +4,12 @@
 
 namespace ricochet::half_step {
 
+std::optional<RunWatch::Remark> RunWatch::look_at_kernel(double chosen_for, double dt) {
+  if (dt == chosen_for) return std::nullopt;
+  return Remark{
+      fmt::format("timestep = {:.6g}: the memory kernel stays the one chosen for timestep = {:.6g}", dt, chosen_for)};
+}
+
 void RunWatch::begin_run(std::size_t kinds, std::int64_t first, std::int64_t last) {
   lightest_.assign(kinds, std::numeric_limits<double>::infinity());
   was_reset_ = next_first_ >= 0 && first != next_first_;

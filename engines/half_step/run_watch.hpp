@@ -10,8 +10,8 @@
 namespace ricochet::half_step {
 
 /// What a contact model tells the user of an engine of the run that it is in: a time step too coarse for its
-/// collisions, grains too soft for their loads, contacts that lost their memory. Each warning once a run; the model
-/// hands it on in its engine's way.
+/// collisions or other than that of the run before, grains too soft for their loads, contacts that lost their memory.
+/// Each warning once a run; the model hands it on in its engine's way.
 class RunWatch {
  public:
   /// Collision times over time steps: fewer than the first are warned of, than the second refused. Twenty keep e_n to
@@ -27,6 +27,9 @@ class RunWatch {
     std::string text;
     bool refuses = false;  ///< the run must not go on
   };
+
+  /// Of a later run than the one whose time step `chosen_for` the contacts' memory kernel was chosen for.
+  static std::optional<Remark> look_at_kernel(double chosen_for, double dt);
 
   /// Before a run from step `first` to step `last` with contacts of so many kinds.
   void begin_run(std::size_t kinds, std::int64_t first, std::int64_t last);

@@ -13,6 +13,11 @@ void ModelWatch::begin_run(int types) {
   run_.begin_run(static_cast<std::size_t>(types) * types, update.ntimestep, update.laststep);
 }
 
+void ModelWatch::check_kernel(double chosen_for) const {
+  const auto remark = half_step::RunWatch::look_at_kernel(chosen_for, lmp_->update->dt);
+  if (remark && lmp_->comm->me == 0) warn(remark->text);
+}
+
 void ModelWatch::check_step(int at, double mass_eff, double tcol, bool on_all_ranks) {
   const auto remark = run_.look_at_step(at, mass_eff, tcol, lmp_->update->dt);
   if (!remark) return;

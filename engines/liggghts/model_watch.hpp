@@ -24,6 +24,9 @@ class ModelWatch {
   /// Before a run of grains of so many types (0 … types − 1).
   void begin_run(int types);
 
+  /// Before each run, on all ranks: `chosen_for` is the time step that the memory kernel was chosen for.
+  void check_kernel(double chosen_for) const;
+
   bool is_lightest(int at, double mass_eff) const noexcept { return run_.is_lightest(at, mass_eff); }
   /// Looks at it: warns, or ends the run on all ranks or this one.
   void check_step(int at, double mass_eff, double tcol, bool on_all_ranks);

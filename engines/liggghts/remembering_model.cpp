@@ -188,10 +188,8 @@ void RememberingModel<Law>::connect_scalar(PropertyRegistry& registry, const std
 template <class Law>
 void RememberingModel<Law>::read_properties() {
   const std::string who = model_name<Law>();
-  if (kernel_step_ == 0)
-    kernel_step_ = update->dt;
-  else if (kernel_step_ != update->dt && comm->me == 0)
-    error->warning(FLERR, (who + " keeps the memory kernel chosen for the first run's time step").c_str());
+  if (kernel_step_ == 0) kernel_step_ = update->dt;
+  watch_.check_kernel(kernel_step_);
   const double memory = memory_time_ > 0 ? memory_time_ : half_step::default_memory_steps * kernel_step_;
   const auto contact_for = [&](const Law& law) -> const LocatedContact<Law>& {
     return contacts_.try_emplace({law.values(), memory}, law, kernel_step_, memory).first->second;

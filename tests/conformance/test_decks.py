@@ -285,6 +285,8 @@ def of_model(words, value, properties, types, mass, radius):
     else:
         found.update(law=model, k=value("fractionalK"), c=value("fractionalC"), alpha=value("fractionalAlpha"))
         assert value("memoryTime") == pytest.approx(4 * TCOL)
+        if "kt" in properties:
+            slide = {"k_t": value("kt"), "c_t": value("gammat_abs")}
     if words[words.index("tangential") + 1] == "history":
         found.update(slide, mu=value("coefficientFriction"))
     if "rolling_friction" in words:
@@ -481,11 +483,13 @@ def test_a_deck_of_liggghts_has_one_spring_against_rolling(tmp_path):
     compare(of_liggghts(read(tmp_path, **of), 50), asked(of, 50))
 
 
-@pytest.mark.parametrize("changes", [FRACTIONAL, {"law": HERTZ, "wall_law": HERTZ}])
+@pytest.mark.parametrize("changes", [
+    FRACTIONAL, {**FRACTIONAL, "tangential": {**ROUGH, "parameters": {"k_t": 2100, "c_t": 0.033}}},
+    {"law": HERTZ, "wall_law": HERTZ}])
 def test_a_deck_of_liggghts_ricochet_says_what_the_case_says(tmp_path, changes):
     of = case_file(**changes)
     compare(of_liggghts(read(tmp_path, **of), 50, "/usr/bin/liggghts-ricochet"), asked(of, 50))
-    if changes is not FRACTIONAL:
+    if changes["law"] is HERTZ:
         deck = liggghts.deck(liggghts.Contacts("liggghts-ricochet", read(tmp_path, **of)), 50)
         fastest = max(math.hypot(*b["velocity"]) for b in BODIES)
         assert f"characteristicVelocity scalar {fastest!r}" in deck

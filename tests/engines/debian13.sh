@@ -3,8 +3,8 @@
 #
 # debian13.sh make            makes the system and builds lammps-ricochet in it, which takes root, debootstrap, a Debian
 #                             mirror ($RICOCHET_MIRROR) and some minutes
-# debian13.sh verify VERIFY   runs `verify engines` with the LAMMPS of Debian 13 (4 Feb 2025), with lammps-ricochet,
-#                             which it builds there, and with its Yade (2025.2.0), if that is installed there
+# debian13.sh verify VERIFY   runs `verify engines` with the LAMMPS of Debian 13 (4 Feb 2025), and with lammps-ricochet,
+#                             which it builds there
 # debian13.sh driver TEST     builds lammps-ricochet there and runs this test program with it
 # debian13.sh lmp COMMAND…    runs a command for which `lmp` is that LAMMPS
 # debian13.sh yade COMMAND…   runs a command for which `yade` is that of Debian 13 (2025.2.0), if it is installed there
@@ -16,7 +16,6 @@ system=${RICOCHET_DEBIAN13:-/var/tmp/ricochet-debian-13}
 mirror=${RICOCHET_MIRROR:-http://deb.debian.org/debian}
 root=$(cd "$(dirname "$0")/../.." && pwd)
 task=${1:-} argument=${2:-}
-no_yade="no Yade in $system, nearly 300 MB: apt-get install yade in it"
 readonly for_driver=(lammps liblammps-dev g++ cmake ninja-build dpkg-dev openmpi-bin libopenmpi-dev
   libboost-dev libeigen3-dev libgsl-dev libfmt-dev)
 
@@ -92,7 +91,7 @@ if ! mountpoint -q "$system/proc"; then
 fi
 case $task in
   lmp) install_packages lammps ;;
-  yade) [[ -x $system/usr/bin/yade ]] || skip "$no_yade" ;;
+  yade) [[ -x $system/usr/bin/yade ]] || skip "no Yade in $system, nearly 300 MB: apt-get install yade in it" ;;
   *) install_packages "${for_driver[@]}" ;;
 esac
 [[ $task == yade || $(inside 'lmp -h' 2>/dev/null || true) == *"4 Feb 2025"* ]] ||
@@ -115,15 +114,7 @@ case $task in
     write_wrapper lammps-ricochet 'exec /root/ricochet/build/lammps/bin/lammps-ricochet "$@"'
     # A copy beside that driver: the one beside the program itself is of another LAMMPS.
     cp "$argument" "$work/verify"
-    engines=(lammps)
-    if [[ -x $system/usr/bin/yade ]]; then
-      write_wrapper yade 'exec yade "$@"'
-      engines+=(yade)
-    else
-      echo "$no_yade: its round trip is left out"
-    fi
-    TMPDIR=$scratch PATH=$work:$PATH "$work/verify" engines --engine "${engines[@]}" \
-      --require "${engines[@]}" lammps-ricochet
+    TMPDIR=$scratch PATH=$work:$PATH "$work/verify" engines --engine lammps --require lammps lammps-ricochet
     ;;
   lmp | yade)
     write_wrapper "$task" "exec $task \"\$@\""

@@ -34,6 +34,13 @@ TEST_CASE("a step above a twentieth of the collision time is warned of once a ru
   CHECK(watch.look_at_step(0, 1, tcol, tcol / 4.01));
 }
 
+TEST_CASE("another step than the kernel's is told of with both") {
+  CHECK_FALSE(RunWatch::look_at_kernel(2e-6, 2e-6));
+  const auto other = RunWatch::look_at_kernel(2e-6, 1e-6);
+  CHECK(says(other, "timestep = 1e-06: the memory kernel stays the one chosen for timestep = 2e-06"));
+  CHECK_FALSE(other->refuses);
+}
+
 TEST_CASE("the step that is advised is not warned of where the collision time is known to 1e-4 alone") {
   for (const double off : {-1e-4, 0., 1e-4}) {
     RunWatch watch = in_run();

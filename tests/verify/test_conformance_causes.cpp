@@ -179,6 +179,16 @@ TEST_CASE("conformance: a rule for tangential springs that engines have is anoth
   CHECK(explained_of("oblique-mixed", {.clips = false}).verdict == Verdict::elsewhere);
 }
 
+TEST_CASE("conformance: a rule that explains no worse than something else is another rule, too") {
+  const Results liggghts = read_results(RICOCHET_SOURCE_DIR "/data/conformance/liggghts-3.8.0.csv", all_cases());
+  const CaseGrade g = explained(answered_case("chung-ooi-8-nylon"), liggghts.find("chung-ooi-8-nylon"));
+  REQUIRE(g.causes.size() == 2);
+  CHECK(g.causes[0].what == "tangential spring half as stiff");
+  CHECK_FALSE(g.causes[0].rule);
+  CHECK(g.causes[1].rule);
+  CHECK(g.verdict == Verdict::another_rule);
+}
+
 TEST_CASE("conformance: our own stepping of the case as asked needs no cause") {
   Verdict verdict = Verdict::not_run;
   CHECK(causes_of(

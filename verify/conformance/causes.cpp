@@ -405,8 +405,7 @@ CaseGrade explained(const Answered& answered, const CaseResult* result) {
   CaseGrade all = grade(answered, result);
   if (result) all.causes = causes(answered, *result, all);
   const auto is_rule = [](const Cause& c) { return c.rule; };
-  if (!all.causes.empty() && std::all_of(all.causes.begin(), all.causes.end(), is_rule))
-    all.verdict = Verdict::another_rule;
+  if (std::any_of(all.causes.begin(), all.causes.end(), is_rule)) all.verdict = Verdict::another_rule;
   return all;
 }
 

@@ -31,7 +31,7 @@ inline constexpr double clearly = 3;
 /// that limits friction, the other end, and any two or three of them together.
 std::vector<Cause> causes(const Answered& answered, const CaseResult& result, const CaseGrade& grade);
 
-/// The grade with its causes; `another_rule` where all of them are rules for tangential springs that engines have.
+/// The grade with its causes; `another_rule` where one of them is a rule for tangential springs that engines have.
 CaseGrade explained(const Answered& answered, const CaseResult* result);
 
 }  // namespace ricochet::verify::conformance

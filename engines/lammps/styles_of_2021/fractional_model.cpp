@@ -54,10 +54,8 @@ void FractionalModel::check_deck() const {
 }
 
 void FractionalModel::begin_run(std::span<const GivenLaw> laws) {
-  if (kernel_step_ == 0)
-    kernel_step_ = lmp_->update->dt;
-  else if (kernel_step_ != lmp_->update->dt && lmp_->comm->me == 0)
-    lmp_->error->warning(FLERR, name_ + " keeps the memory kernel chosen for the first run's time step");
+  if (kernel_step_ == 0) kernel_step_ = lmp_->update->dt;
+  hand_on(half_step::RunWatch::look_at_kernel(kernel_step_, lmp_->update->dt), true);
   try {
     laws_.clear();
     for (const GivenLaw& given : laws) laws_.push_back(make_law(given));

@@ -22,14 +22,14 @@ ComputeFractionalEnergy::ComputeFractionalEnergy(LAMMPS* lmp, int narg, char** a
   extvector = 1;
   vector = new double[size_vector]{};
   auto& tally = energy_tally(lmp);
-  tally.wanted = true;
-  tally.dissipated = 0;
+  tally.users++;
+  dissipated_before = tally.dissipated;
 }
 
 /* ---------------------------------------------------------------------- */
 
 ComputeFractionalEnergy::~ComputeFractionalEnergy() {
-  energy_tally(lmp).wanted = false;
+  energy_tally(lmp).users--;
   delete[] vector;
 }
 
@@ -45,6 +45,7 @@ void ComputeFractionalEnergy::init() { energy_tally(lmp).stored_at = -1; }
 void ComputeFractionalEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
   const auto& tally = energy_tally(lmp);
-  const double here[2] = {tally.stored_at == update->ntimestep ? tally.stored : 0.0, tally.dissipated};
+  const double here[2] = {tally.stored_at == update->ntimestep ? tally.stored : 0.0,
+                          tally.dissipated - dissipated_before};
   MPI_Allreduce(here, vector, size_vector, MPI_DOUBLE, MPI_SUM, world);
 }

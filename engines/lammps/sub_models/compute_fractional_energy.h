@@ -25,6 +25,9 @@ class ComputeFractionalEnergy : public Compute {
   ~ComputeFractionalEnergy() override;
   void init() override;
   void compute_vector() override;
+
+ private:
+  double dissipated_before;  // this one was made, on this rank
 };
 
 }  // namespace LAMMPS_NS

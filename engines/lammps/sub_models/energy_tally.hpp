@@ -11,7 +11,7 @@ namespace ricochet::lammps {
 /// Energies [energy] of the normal contacts of one LAMMPS on this rank, for compute fractional/energy. A pair that
 /// another rank looks at too gives half of its own.
 struct EnergyTally {
-  bool wanted = false;
+  int users = 0;                ///< computes; without any nothing is tallied
   std::int64_t stored_at = -1;  ///< the step that `stored` is of; −1: none
   double stored = 0, dissipated = 0;
 

@@ -6,13 +6,15 @@
 # RICOCHET_MIRROR names another Debian mirror. Needs apt-get and dpkg-dev, not root. Exit code 4: not to be had.
 set -euo pipefail
 folder=$1
-[[ ! -e $folder/.complete ]] || exit 0
 
 fail() {
   echo "fetch_headers.sh: $*" >&2
   exit 4
 }
 version=$(dpkg-query -W -f '${source:Version}' liblammps-dev 2>/dev/null) || fail "liblammps-dev is not installed"
+complete=$folder/.complete-$version
+[[ ! -e $complete ]] || exit 0
+rm -f "$folder"/*.h "$folder"/.complete* # of another version
 release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
 mkdir -p "$folder"
 work=$(mktemp -d "$folder/source.XXXXXX")
@@ -29,4 +31,4 @@ apt=(apt-get -q -o Dir::Etc::SourceList="$work/sources.list" -o Dir::Etc::Source
 tar -xf lammps_*.orig.tar.* --strip-components=2 --wildcards --no-anchored \
   'src/GRANULAR/gran*.h' 'src/GRANULAR/pair_granular.h'
 cp GRANULAR/*.h "$folder"
-touch "$folder/.complete"
+touch "$complete"

@@ -132,8 +132,8 @@ void GranSubModNormalOfLaw<Law>::begin_run() {
     kernel_step = gm->dt;
     const double memory = static_cast<GranSubModDampingFractional*>(gm->damping_model)->memory();
     choose_law(kernel_step, memory > 0 ? memory : half_step::default_memory_steps * kernel_step);
-  } else if (kernel_step != gm->dt) {
-    hand_on(Remark{"keeps the memory kernel chosen for the first run's time step"});
+  } else {
+    hand_on(ricochet::half_step::RunWatch::look_at_kernel(kernel_step, gm->dt));
   }
 }
 
@@ -141,13 +141,15 @@ void GranSubModNormalOfLaw<Law>::begin_run() {
 
 template <class Law>
 double GranSubModNormalOfLaw<Law>::calculate_forces() {
-  if (first_step != update->firststep || last_step != update->laststep) begin_run();
+  // A run from step 0 may follow another from step 0 to the same end.
+  if (first_step != update->firststep || last_step != update->laststep || update->ntimestep < seen_step) begin_run();
+  seen_step = update->ntimestep;
   const double radius = gm->contact_type == PAIR ? std::min(gm->radi, gm->radj) : gm->radi;
   if (watch.is_lightest(0, gm->meff) || watch.is_soft(gm->delta, radius)) watch_contact(radius);
   double* memory = &gm->history[history_index];
   const auto step = static_cast<double>(update->ntimestep);
   if (!gm->history_update || ContactHistory::is_at(memory, step)) return force_found_before(memory, step);
-  if (energies.wanted)
+  if (energies.users > 0)
     advance_and_tally(memory, step);
   else
     law->contact().advance(memory, step, gm->delta, -gm->vnnr, gm->dt);
@@ -165,7 +167,7 @@ double GranSubModNormalOfLaw<Law>::force_found_before(const double* memory, doub
   const bool found = ContactHistory::is_at(memory, step);
   if (update->setupflag && !asked) {
     if (memory[ContactHistory::stamp] != 0 && !found) hand_on(watch.look_at_memory(update->ntimestep));
-    if (energies.wanted) tally(law->contact().stored_energy(memory), 0.0);
+    if (energies.users > 0) tally(law->contact().stored_energy(memory), 0.0);
   }
   return found ? law->coefficient(gm->meff) * ContactHistory::repulsion(memory) : 0.0;
 }

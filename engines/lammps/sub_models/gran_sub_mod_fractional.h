@@ -85,6 +85,7 @@ class GranSubModNormalOfLaw : public GranSubModNormalRemembering {
   ricochet::half_step::RunWatch watch;
   ricochet::lammps::EnergyTally& energies;
   bigint first_step = -1, last_step = -1;       // of the run that begin_run() has seen
+  bigint seen_step = -1;                        // of the last contact
   double kernel_step = 0;                       // the time step that the arms were chosen for
   double damping_mass = -1, damping_value = 0;  // the last linear_damping()
 };

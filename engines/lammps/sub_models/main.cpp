@@ -33,9 +33,9 @@ void explain_words_of_2021(const LAMMPS_NS::LAMMPS& lmp) {
     const std::string_view word = input.arg[i];
     if (word != "wall/fractional" && !(i == 0 && word == "fractional")) continue;
     std::fprintf(stderr,
-                 "lammps-ricochet: %s: is for the LAMMPS of Debian 12 (29 Sep 2021); this one, of 4 Feb 2025, has "
-                 "pair_style granular with fractional models: see examples/lammps/debian13 and docs/lammps.md\n",
-                 input.arg[i]);
+                 "lammps-ricochet: %s: is for the LAMMPS of Debian 12 (29 Sep 2021); this one, of %s, has pair_style "
+                 "granular with fractional models: see examples/lammps/debian13 and docs/lammps.md\n",
+                 input.arg[i], lmp.version);
     return;
   }
 }

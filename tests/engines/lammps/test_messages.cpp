@@ -14,9 +14,10 @@ TEST_CASE("minimisation and steps within steps are refused") {
 TEST_CASE("soft contacts, and contacts that lost their memory, are told of") {
   const std::string soft = "% of the smaller radius";
   CHECK(contains(said("soft", one_law(target(20 * tcol, en)), run(500)), soft));
-  for (const char* reset : {"reset_timestep 0\n", ""}) {
-    const std::string output = said("reset", one_law(target(tcol, en)), run(70) + reset + run(10));
-    CHECK_FALSE(contains(output, soft));
-    CHECK(contains(output, "reset_timestep while grains touch") == (*reset != 0));
-  }
+  for (const char* reset : {"reset_timestep 0\n", ""})
+    for (const int steps : {10, 70}) {  // as many as before, too
+      const std::string output = said("reset", one_law(target(tcol, en)), run(70) + reset + run(steps));
+      CHECK_FALSE(contains(output, soft));
+      CHECK(contains(output, "reset_timestep while grains touch") == (*reset != 0));
+    }
 }

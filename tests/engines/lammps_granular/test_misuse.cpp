@@ -14,7 +14,7 @@ std::string complaint(const std::string& name, const std::string& styles, double
 
 std::string complaint_of(const std::string& name, const std::string& law) { return complaint(name, one_law(law)); }
 
-const std::string good = one_law(target(tcol, en));
+const std::string law = target(tcol, en), good = one_law(law);
 
 }  // namespace
 
@@ -38,6 +38,12 @@ TEST_CASE("the normal and the damping model ask for each other") {
                  "damping fractional goes with the granular models fractional alone, not with hooke"));
 }
 
+TEST_CASE("tangential models that take Young's modulus from the normal one are refused") {
+  for (const char* mindlin : {"mindlin", "mindlin/force", "mindlin_rescale"})
+    CHECK(contains(complaint("modulus", one_law(law, std::string("tangential ") + mindlin + " NULL 0 0.1")),
+                   "Must either specify tangential stiffness or material properties"));
+}
+
 TEST_CASE("a step too coarse for the collisions is warned of, and refused") {
   const auto output = [](const std::string& name, double steps) { return said(name, good, run(60), 0, tcol / steps); };
   CHECK_FALSE(contains(output("steps_20", 20.01), "WARNING: granular model"));
@@ -48,9 +54,11 @@ TEST_CASE("a step too coarse for the collisions is warned of, and refused") {
 }
 
 TEST_CASE("a later run with another time step keeps the kernel and says so") {
+  const std::string words = "timestep = 1e-06: the memory kernel stays the one chosen for timestep = 2e-06";
+  CHECK(contains(said("same_steps", good, run(70) + "reset_timestep 0\ntimestep 1e-6\n" + run(70)), words));
   const Workplace place("step");
   REQUIRE(place.run(with(place, good) + run(70) + "timestep 1e-6\n" + dump("dump", 160) + run(160)) == 0);
-  CHECK(contains(place.output(), "keeps the memory kernel chosen for the first run's time step"));
+  CHECK(contains(place.output(), words));
   const auto v = place.frames("dump").back().velocity;
   CHECK((v[1][0] - v[0][0]) / speed == Approx(en).epsilon(2e-3));
 }

@@ -1,19 +1,23 @@
-#include "../lammps/examples.hpp"
+#include "../runs/examples.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace engines;
 
+namespace {
+const std::string folder = "examples/lammps/debian12/";
+}
+
 TEST_CASE("the examples run and print what they promise") {
-  CHECK(number_after(output_of("debian12/two_grains.lammps"), "restitution ") == Approx(0.5).epsilon(1e-3));
-  CHECK(number_after(output_of("debian12/five_spheres.lammps"), "vz of sphere 1: ") == Approx(-4.3911).epsilon(1e-4));
-  check_box_of_grains(output_of("debian12/box_of_grains.lammps"));
+  CHECK(number_after(output_of(folder + "two_grains.lammps"), "restitution ") == Approx(0.5).epsilon(1e-3));
+  CHECK(number_after(output_of(folder + "five_spheres.lammps"), "vz of sphere 1: ") == Approx(-4.3911).epsilon(1e-4));
+  check_box_of_grains(output_of(folder + "box_of_grains.lammps"));
 }
 
 TEST_CASE("decks for the LAMMPS of Debian 13 are said to be") {
   for (const char* name : {"two_grains", "box_of_grains", "rotating_drum"}) {
     INFO(name);
-    const std::string said = output_of(std::string("debian13/") + name + ".lammps", 1);
+    const std::string said = output_of(std::string("examples/lammps/debian13/") + name + ".lammps", 1);
     CHECK(said.find("is for the LAMMPS of Debian 13 (4 Feb 2025)") != std::string::npos);
     CHECK(said.find("see examples/lammps/debian12") != std::string::npos);
   }

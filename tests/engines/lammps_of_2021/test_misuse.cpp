@@ -102,7 +102,7 @@ TEST_CASE("before a run the lightest pairs and the lightest grain of a wall's gr
 }
 
 TEST_CASE("a later run with another time step keeps the kernel and says so") {
-  const std::string words = "keeps the memory kernel chosen for the first run's time step";
+  const std::string words = "the memory kernel stays the one chosen for timestep = 2e-06";
   for (double later : {dt, dt / 2}) {
     const Workplace place("later");
     REQUIRE(place.run(with(place, with_law(target(tcol, en))) + run(30) + "timestep " + number(later) + "\n" +

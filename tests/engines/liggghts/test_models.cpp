@@ -173,6 +173,12 @@ TEST_CASE("a step too coarse for the collisions is warned of, and refused") {
   CHECK(contains(complaint("steps_of_lightest", parameters, "fractional", tcol / 5), "must be at most 1/4"));
 }
 
+TEST_CASE("a later run with another time step keeps the kernel and says so") {
+  const Workplace place("later");
+  REQUIRE(place.run(strike(place, target(), "") + "timestep 1e-6\nrun 1\n") == 0);
+  CHECK(contains(place.output(), "timestep = 1e-06: the memory kernel stays the one chosen for timestep = 2e-06"));
+}
+
 TEST_CASE("grains too soft for their load, and contacts that lost their memory, are told of") {
   const Workplace soft("soft");
   const std::string slow = pair_property("collisionTime", 20 * tcol) + pair_property("coefficientRestitution", en);
