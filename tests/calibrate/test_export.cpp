@@ -114,10 +114,27 @@ TEST_CASE("LIGGGHTS: the force formed from the snippet's numbers as LIGGGHTS for
 }
 
 TEST_CASE("LIGGGHTS: moduli outside its usual range are allowed, restitutions outside it can't be") {
-  CHECK(acts_on(export_law(Engine::liggghts, with(Tsuji(1e4, 0.01), ContactEnd::overlap)), "soft_particles yes"));
-  CHECK(acts_on(export_law(Engine::liggghts, with(Tsuji(1e8, 0.01), ContactEnd::overlap)), "hard_particles yes"));
-  const Tsuji lossy(1.3e6, 0.9 * std::sqrt(5 * mass_eff * 1.3e6));
-  CHECK(export_law(Engine::liggghts, with(lossy, ContactEnd::force)).fidelity == Fidelity::absent);
+  // What a damping ratio ζ and the stiffness that a modulus comes from make, at the ends of what LIGGGHTS takes.
+  const auto exported = [](double stiffness, double zeta) {
+    return export_law(Engine::liggghts,
+                      with(Tsuji(stiffness, zeta * std::sqrt(5 * mass_eff * stiffness)), ContactEnd::overlap));
+  };
+  const double stiffness = 1e6 / after(exported(1e6, 0.1), "youngsModulus peratomtype ");  // of a modulus of 1 Pa
+  const auto of_modulus = [&](double young) { return exported(young * stiffness, 0.1); };
+  for (const auto& [young, soft, hard] :
+       {std::tuple(4.99e6, true, false), {5.01e6, false, false}, {0.99e9, false, false}, {1.01e9, false, true}}) {
+    CAPTURE(young);
+    CHECK(acts_on(of_modulus(young), "soft_particles yes") == soft);
+    CHECK(acts_on(of_modulus(young), "hard_particles yes") == hard);
+    CHECK(acts_on(of_modulus(young), "soft_particles") == soft);
+    CHECK(acts_on(of_modulus(young), "hard_particles") == hard);
+  }
+  // e = exp(−πζ/√(1−ζ²)).
+  const auto of_restitution = [&](double en) {
+    return exported(1.3e6, -std::log(en) / std::hypot(std::numbers::pi, std::log(en)));
+  };
+  CHECK(of_restitution(0.0499).fidelity == Fidelity::absent);
+  CHECK(of_restitution(0.0501).fidelity == Fidelity::exact);
 }
 
 TEST_CASE("LIGGGHTS: the hysteretic model has constant k1 and k2") {

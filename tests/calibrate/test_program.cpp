@@ -8,6 +8,7 @@
 #include <materials.hpp>
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/collision/scale_and_loss.hpp>
+#include <report.hpp>
 #include <target_rows.hpp>
 
 #include <cmath>
@@ -22,8 +23,8 @@ namespace {
 
 double mass(double radius, double density) { return 4.0 / 3 * std::numbers::pi * std::pow(radius, 3) * density; }
 
-/// The rows that --targets makes of a file.
-std::string answered(const std::string& file) {
+/// The rows that --targets makes of a file, beside what its flags say of all.
+std::string answered(const std::string& file, const TargetDefaults& defaults = {}) {
   const TemporaryFolder folder;
   const std::string path = folder / "targets.csv";
   std::ofstream(path) << file;
@@ -31,7 +32,7 @@ std::string answered(const std::string& file) {
   console::LineBlocks::Block block;
   const auto head = console::take_csv_head(source, block);
   static const DirectCalibrator calibrator;
-  const TargetRows rows("targets.csv", *head, TargetDefaults{}, calibrator);
+  const TargetRows rows("targets.csv", *head, defaults, calibrator);
   return rows.header() + rows.answer(block).text;
 }
 
@@ -69,15 +70,44 @@ TEST_CASE("unequal spheres have the effective mass and radius of both") {
   CHECK(wall.radius_eff.value() == Approx(r1).epsilon(1e-14));
 }
 
-TEST_CASE("a stiffness beside a collision time is the k that the fractional law of a row holds") {
+TEST_CASE(
+    "a stiffness beside a collision time, of the row or of all, is the k that the fractional law of a row holds") {
   const std::string head = "tcol,en,law,stiffness\n1e-4,0.5,fractional,";
   for (const double k : {4000.0, 9000.0}) {
-    const std::string answer = answered(head + std::to_string(k) + "\n");
-    CHECK(column(answer, "k") == Approx(k).epsilon(1e-12));
-    // c^α k^(1−α) is what t_col fixes: another k, another c.
-    const double alpha = conversion_degree(0.5);
-    CHECK(std::pow(column(answer, "c"), alpha) * std::pow(k, 1 - alpha) ==
-          Approx(std::pow(0.2964394, alpha) * std::pow(5225, 1 - alpha)).epsilon(1e-6));
+    TargetDefaults flag;
+    flag.asked.stiffness = k;
+    for (const std::string& answer : {answered(head + std::to_string(k) + "\n"), answered(head + "\n", flag),
+                                      answered("tcol,en,law\n1e-4,0.5,fractional\n", flag)}) {
+      CHECK(column(answer, "k") == Approx(k).epsilon(1e-12));
+      // c^α k^(1−α) is what t_col fixes: another k, another c.
+      const double alpha = conversion_degree(0.5);
+      CHECK(std::pow(column(answer, "c"), alpha) * std::pow(k, 1 - alpha) ==
+            Approx(std::pow(0.2964394, alpha) * std::pow(5225, 1 - alpha)).epsilon(1e-6));
+    }
+  }
+}
+
+TEST_CASE("a row of the CSV has the overlaps and the force of its own law, each in its column") {
+  const double v = 0.4, m = 7e-6;
+  const auto row = [&](const std::string& end) {
+    const Job job = job_from(
+        {"--tcol", "1e-4", "--en", "0.8", "--law", "linear", "--end", end, "--velocity", "0.4", "--mass-eff", "7e-6"});
+    const Report report = calibration::run(job, {});
+    return std::pair(std::get<Linear>(report.results.at(0).law), csv_of(report).csv());
+  };
+  for (const std::string end : {"force", "overlap"}) {
+    CAPTURE(end);
+    const auto [law, csv] = row(end);
+    // ζ = (v/ω) e^(−γt) sin ωt with γ = ω₀ sin β, ω = ω₀ cos β; the force is m v ω₀/cos β e^(−γt) sin(ωt + 2β).
+    const double natural = std::sqrt(law.k() / m), beta = std::asin(law.c() / (2 * std::sqrt(law.k() * m)));
+    const double quarter = std::numbers::pi / 2;
+    CHECK(column(csv, "max_overlap [m]") ==
+          Approx(v / natural * std::exp(-std::tan(beta) * (quarter - beta))).epsilon(1e-9));
+    CHECK(column(csv, "max_force [N]") ==
+          Approx(m * v * natural * std::exp(-std::tan(beta) * (quarter - 3 * beta))).epsilon(1e-9));
+    // No force is left where the spring's is the dashpot's.
+    CHECK(column(csv, "overlap_end [m]") ==
+          Approx(end == "force" ? law.c() * 0.8 * v / law.k() : 0).epsilon(1e-9).margin(1e-15));
   }
 }
 

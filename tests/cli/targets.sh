@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # targets.sh CALIBRATE: many rows, on any number of threads to the same bytes, in bounded memory; nothing is left of
-# what is interrupted.
+# what is interrupted. Exit code 77 where all was well but the memory could not be bounded.
 set -euo pipefail
 calibrate=$(realpath "$1")
 folder=$(mktemp -d)
@@ -19,8 +19,10 @@ LC_ALL=C awk 'BEGIN {
 
 # 300 MB of address space hold the program, its threads and a few blocks: not the answers to a file of any size.
 code=0
-# (A sanitizer reserves terabytes of it for itself.)
-grep -qE '__[at]san_init' "$calibrate" && room=unlimited || room=300000
+room=300000 skipped=
+if grep -qE '__[at]san_init' "$calibrate"; then
+  room=unlimited skipped='bounded memory (a sanitizer reserves terabytes for itself)'
+fi
 (ulimit -v $room; "$calibrate" --targets rows.csv --threads 2 -o two.csv 2>two.err) || code=$?
 [[ $code == 1 ]] || fail "exit code $code with bad rows"
 "$calibrate" --targets rows.csv --threads 1 >one.csv 2>one.err && fail "bad rows went unnoticed"
@@ -53,3 +55,4 @@ kill "$feeder" 2>/dev/null || true
 [[ $code == 143 ]] || fail "exit code $code after SIGTERM"
 [[ $(cat kept.csv) == before ]] || fail "an interrupted run changed the file"
 [[ -z $(find . -name '*kept.csv?*' -o -name '.*kept*') ]] || fail "an interrupted run left a temporary file: $(ls -A)"
+[[ -z $skipped ]] || { echo "skipped: $skipped"; exit 77; }

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <new>
 #include <system_error>
 
 using namespace ricochet::console;
@@ -146,6 +147,9 @@ TEST_CASE("exceptions become exit codes") {
   CHECK(run({}, []() -> Exit { throw Unreachable("en >= 0.2 only"); }).code == 3);
   CHECK(run({}, []() -> Exit { throw Failed("no convergence"); }).code == 4);
   CHECK(run({}, []() -> Exit { throw std::logic_error("two\nlines"); }).err == "try: two; lines\n");
+  const Ran no_memory = run({}, []() -> Exit { throw std::bad_alloc(); });
+  CHECK(no_memory.code == 4);
+  CHECK(no_memory.err == "try: out of memory\n");
   CHECK(run({}, []() -> Exit { throw 7; }).code == 4);
 }
 

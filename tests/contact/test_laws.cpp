@@ -31,8 +31,8 @@ void check_energy_balance(const Law& law) {
   }
 }
 
-/// Mean of a force over an overlap that runs from one value to another. In s = ζ^{1/4} every power here is a polynomial,
-/// which Gauss's rule integrates as it stands.
+/// Mean of a force over an overlap that runs from one value to another. In s = ζ^{1/4} every power here is a
+/// polynomial, which Gauss's rule integrates as it stands.
 template <class Law>
 double mean_by_quadrature(const Law& law, double from, double to, double rate) {
   const auto force = [&](double s) { return law.force({s * s * s * s, rate}, {}) * 4 * s * s * s; };

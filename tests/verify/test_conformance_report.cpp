@@ -3,6 +3,7 @@
 
 #include "../../verify/conformance/badge.hpp"
 #include "../../verify/conformance/causes.hpp"
+#include "../../verify/conformance/curves.hpp"
 #include "../../verify/conformance/groups.hpp"
 #include "../../verify/conformance/matrix.hpp"
 #include "../../verify/conformance/page.hpp"
@@ -225,10 +226,16 @@ TEST_CASE("conformance: the page says what is right, what is not and why, and wh
   };
   // One cell an engine and case, in the colour of its verdict.
   std::size_t cells = 0;
-  for (const Verdict v : verdicts) {
+  const std::pair<Verdict, const char*> colours[] = {
+      {Verdict::exact, "exact"},       {Verdict::converges, "right"}, {Verdict::too_coarse, "coarse"},
+      {Verdict::another_rule, "rule"}, {Verdict::elsewhere, "else"},  {Verdict::does_not_converge, "wander"},
+      {Verdict::not_run, "not-run"}};
+  REQUIRE(std::size(colours) == std::size(verdicts));
+  for (const auto& [v, colour] : colours) {
     std::size_t graded = 0;
     for (const EngineGrade& e : engines) graded += e.count(v);
-    CHECK(count(fmt::format("<td class=\"{}\"", colour_class(v))) == graded);
+    CHECK(count(fmt::format("<td class=\"{}\"", colour)) == graded);
+    CHECK(has(page, fmt::format("<span class=\"sign {}\">", colour)));
     cells += graded;
   }
   CHECK(cells == 3 * all_cases().size());
@@ -238,6 +245,42 @@ TEST_CASE("conformance: the page says what is right, what is not and why, and wh
   CHECK(has(page, "<span id=\"engine-yade-2025-2-0\"></span>"));
   CHECK(count("<th scope=\"row\" class=\"wide\">contacts end by force: attraction is clipped") == 1);
   CHECK(count(">ViscElPhys has no torsion<") == 1);
+}
+
+TEST_CASE("conformance: the curves are of the greatest error of a family's cases at each step") {
+  const Case straight{.name = "a", .family = "normal"}, other{.name = "b", .family = "normal"},
+      slanted{.name = "c", .family = "oblique"}, spinning{.name = "d", .family = "torsion"};
+  const auto graded = [](const Case& of, const std::vector<double>& steps, const std::vector<double>& error) {
+    Graded g;
+    g.steps_in_scale = steps, g.error = error;
+    return CaseGrade{.of = &of, .verdict = Verdict::converges, .answers = {g}};
+  };
+  EngineGrade one{{"First", "1_0", "", ""}, {}}, two{{"Second", "2", "", ""}, {}};
+  one.cases = {graded(straight, {10, 20}, {0.1, -0.03}), graded(other, {10, 20, 40}, {-0.2, 0.02, 0.0125}),
+               graded(slanted, {25, 50}, {0.5, 0}), graded(spinning, {10}, {9})};
+  two.cases = {graded(straight, {10, 20}, {0.4, 0.3})};
+  const auto figure = error_curves({{&one}, {&two}});
+  REQUIRE(figure);
+  REQUIRE(figure->data.size() == 1);
+  // An error of 0 has no place on a logarithmic axis.
+  CHECK(figure->data[0].bytes == "steps,error\n10,0.2\n20,0.03\n40,0.0125\n10,0.4\n20,0.3\n25,0.5\n");
+  CHECK(figure->finding ==
+        "Family normal: First 1_0 1.2 % at 40; Second 2 30 % at 20. Family oblique: First 1_0 50 % at 25.");
+  const auto& panels = figure->plot.panels;
+  REQUIRE(panels.size() == 2);
+  REQUIRE(panels[0].curves.size() == 2);
+  REQUIRE(panels[1].curves.size() == 1);
+  const auto check_rows = [](const console::Curve& curve, std::size_t first, std::size_t last) {
+    CHECK(curve.rows.value().first == first);
+    CHECK(curve.rows.value().last == last);
+  };
+  check_rows(panels[0].curves[0], 0, 2);
+  check_rows(panels[0].curves[1], 3, 4);
+  check_rows(panels[1].curves[0], 5, 5);
+  CHECK(panels[0].curves[0].title == "First 1 0");
+  EngineGrade none{{"None", "1", "", ""}, {}};
+  none.cases = {graded(spinning, {10}, {9})};
+  CHECK_FALSE(error_curves({{&none}}));
 }
 
 TEST_CASE("conformance: engines are put together by all that is shown of them") {

@@ -5,8 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace ricochet;
@@ -70,6 +72,45 @@ TEST_CASE("the paper's header and the data of Table II hold the same coefficient
         Approx(pair.impact.mass_eff).margin(0.5e-11));
 }
 
+TEST_CASE("the paper's header holds every constant of data/paper.csv, with a place in print") {
+  namespace p = paper;
+  std::vector<std::pair<std::string, double>> ours{{"steel.radius", p::steel.radius},
+                                                   {"steel.density", p::steel.density},
+                                                   {"steel.other_density", p::steel.other_density},
+                                                   {"steel.velocity", p::steel.velocity},
+                                                   {"steel.k", p::steel.k},
+                                                   {"steel.c", p::steel.c},
+                                                   {"steel.alpha", p::steel.alpha},
+                                                   {"steel.tcol", p::steel.tcol},
+                                                   {"steel.tcol_estimate", p::steel.tcol_estimate},
+                                                   {"steps", p::steps},
+                                                   {"pair.radius", p::pair.radius},
+                                                   {"pair.density", p::pair.density},
+                                                   {"pair.velocity", p::pair.impact.velocity},
+                                                   {"pair.mass_eff", p::pair.impact.mass_eff},
+                                                   {"pair.tcol", p::pair.tcol},
+                                                   {"pair.en", p::pair.en},
+                                                   {"alpha_study_k", p::alpha_study_k},
+                                                   {"alpha_study_c", p::alpha_study_c},
+                                                   {"no_rebound_shown", p::no_rebound_shown},
+                                                   {"estimate_factor", p::estimate_factor},
+                                                   {"column.bead_mass", p::column.bead_mass},
+                                                   {"column.velocity", p::column.velocity},
+                                                   {"column.en", p::column.en},
+                                                   {"column.tcol", p::column.tcol},
+                                                   {"column.alpha", p::column.alpha},
+                                                   {"five_spheres.sequence_axis", p::five_spheres.sequence_axis}};
+  for (const double degree : p::no_rebound_degrees) ours.emplace_back("no_rebound_degrees", degree);
+  for (const double time : p::five_spheres.durations) ours.emplace_back("five_spheres.durations", time);
+  std::vector<std::pair<std::string, double>> printed;
+  for (const auto& row : rows("paper.csv")) {
+    CHECK(row.at(3).size() > 5);
+    printed.emplace_back(row[0], std::stod(row[1]));
+  }
+  for (auto* both : {&ours, &printed}) std::sort(both->begin(), both->end());
+  CHECK(ours == printed);
+}
+
 TEST_CASE("the paper's header and the scenes hold the same five spheres") {
   for (const auto& [file, alpha] : {std::pair{"five_spheres_strong.json", paper::five_spheres.strong_alpha},
                                     std::pair{"five_spheres_weak.json", paper::five_spheres.weak_alpha}}) {
@@ -82,6 +123,7 @@ TEST_CASE("the paper's header and the scenes hold the same five spheres") {
     CHECK(friction["mu_static"] == paper::five_spheres.mu_static);
     CHECK(friction["mu_dynamic"] == paper::five_spheres.mu_dynamic);
     CHECK(friction["decay"] == paper::five_spheres.decay);
+    CHECK(friction["rolling_arm"] == paper::five_spheres.rolling_arm);
     REQUIRE(json["spheres"].size() == paper::five_spheres.balls.size());
     for (std::size_t i = 0; i < 5; ++i) {
       const auto& ball = paper::five_spheres.balls[i];

@@ -7,7 +7,7 @@
 #include <numbers>
 
 /// The cases that J. S. Leszczynski, Phys. Rev. E 70, 051315 (2004) prints, SI units. Where data/ holds the same
-/// numbers (table1.csv, table2.csv, the scenes), a test compares the two.
+/// numbers (paper.csv, which says where each stands, table1.csv, table2.csv, the scenes), a test compares the two.
 namespace ricochet::verify::paper {
 
 /// Fig. 2 and Table I: a steel sphere that meets a plate. Its density reads 7850 or 7680 kg/m³.

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
 
 namespace engines {
 
@@ -22,9 +24,15 @@ std::string number(double value) {
   return text;
 }
 
-Workplace::Workplace(const std::string& name) : folder_(runs_folder() / name) {
+Workplace::Workplace(const std::string& name)
+    : folder_(runs_folder() / (name + "." + std::to_string(static_cast<long>(::getpid())))) {
   fs::remove_all(folder_);
   fs::create_directories(folder_);
+}
+
+Workplace::~Workplace() {
+  std::error_code left;  // a folder that stays harms nobody
+  fs::remove_all(folder_, left);
 }
 
 int Workplace::run(const std::string& deck, int ranks) const {

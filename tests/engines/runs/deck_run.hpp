@@ -34,10 +34,14 @@ struct Box {
 std::string engine_command(int ranks);  ///< that runs in.deck in the present folder
 std::filesystem::path runs_folder();
 
-/// A folder of its own in which decks are run by the driver with one of our models.
+/// A folder of its own in which decks are run by the driver with one of our models: also of its process's own, as two
+/// may run the same test. It goes when the workplace does.
 class Workplace {
  public:
   explicit Workplace(const std::string& name);
+  ~Workplace();
+  Workplace(const Workplace&) = delete;
+  Workplace& operator=(const Workplace&) = delete;
 
   /// Runs the deck; returns the exit code. Output is in out.txt.
   int run(const std::string& deck, int ranks = 1) const;

@@ -2,6 +2,8 @@
 
 #include "contacts.hpp"
 
+#include <verify/gate.hpp>
+
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -27,5 +29,8 @@ struct Outcome {
 /// Runs the contact in the engine with every step. Throws as EngineProgram::run, and console::Failed when no trajectory
 /// comes back.
 Outcome run(const EngineProgram& program, const Contact& what);
+
+/// What the study asks of it.
+void add_gates(std::vector<Gate>& gates, const Outcome& outcome);
 
 }  // namespace ricochet::verify::engines

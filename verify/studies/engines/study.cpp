@@ -80,6 +80,8 @@ Table deficiencies(const std::vector<Outcome>& outcomes) {
   return table;
 }
 
+}  // namespace
+
 void add_gates(std::vector<Gate>& gates, const Outcome& o) {
   const std::string name = label(o.what) + ": ";
   gates.push_back(at_most(name + "en in the limit, relative error", std::abs(o.limit.en / o.what.en - 1), 1e-3));
@@ -97,6 +99,8 @@ void add_gates(std::vector<Gate>& gates, const Outcome& o) {
   else
     gates.push_back(at_most(name + "en error at tcol/200", o.error(at_200), 1e-3));
 }
+
+namespace {
 
 Json row(const Outcome& o) {
   Json en = Json::array(), times = Json::array(), steps = Json::array();
