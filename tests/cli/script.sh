@@ -52,7 +52,8 @@ touch CMakeLists.txt
 
 # Without the packages of the tests: a first build leaves the tests out, a later one lets them stay as they are.
 for first in yes no; do
-  if [[ $first == yes ]]; then rm -rf build; else echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt; fi
+  if [[ $first == yes ]]; then rm -rf build
+  else echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt; fi
   : >"$PLAYED"
   ./ricochet bench >../out 2>../err || fail "bench: exit code $?: $(cat ../err)"
   says "$PLAYED" '-DRICOCHET_BENCH=ON' bench
