@@ -46,6 +46,8 @@ function(ricochet_describe program)
     list(APPEND files ${file})
   endforeach()
   add_custom_target(describe_${program} ALL DEPENDS ${files})
+  # So that what `./ricochet calibrate` built can be installed and packed.
+  add_dependencies(programs describe_${program})
   install(FILES ${described}/${program}.man-page DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME ${program}.1)
   install(FILES ${described}/${program}.bash
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${program})
@@ -70,7 +72,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# The figures; and what a user's own program needs who links the library.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core")
+# The figures, and the adapters of the conformance cases; and what a user's own program needs who links the library.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core, python3")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, g++, libboost-dev, libeigen3-dev, libgsl-dev")
 include(CPack)

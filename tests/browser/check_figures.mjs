@@ -1,5 +1,5 @@
 // Every figure in a folder, or in a page with those for phones, as Chromium draws it: no text leaves the picture, lies
-// on another text, or has a curve running through it.
+// on another text or on a mark, or has a line of any kind but the grid running through it.
 //
 //     node check_figures.mjs FOLDER|PAGE.html MODULES
 
@@ -44,22 +44,27 @@ function complaints() {
   texts.forEach((a, i) => texts.slice(i + 1).forEach(b => {
     if (meet(a.inner, b.inner)) found.push(`"${a.words}" lies on "${b.words}"`);
   }));
-  // Curves are paths without a filling; what is straight and along an axis is a frame, a tick or a grid.
-  for (const path of svg.querySelectorAll('path, polyline')) {
+  // What is drawn but the grid, which lies behind everything: curves, axes, frames, ticks and other lines without a
+  // filling; and marks, by their boxes.
+  for (const path of svg.querySelectorAll('path, polyline, line, rect')) {
     const style = getComputedStyle(path);
-    if (style.stroke === 'none' || style.fill !== 'none' || !path.getTotalLength) continue;
+    if (path.closest('defs') || path.matches('.gridline')) continue;
+    if (style.stroke === 'none' || (style.fill !== 'none' && path.localName !== 'line')) continue;
     const length = path.getTotalLength(), matrix = path.getScreenCTM();
-    const box = path.getBoundingClientRect();
-    if (length === 0 || box.width < 2 || box.height < 2) continue;
     for (let at = 0; at <= length; at += 1.5) {
       const p = path.getPointAtLength(at).matrixTransform(matrix);
       const over = texts.find(({inner}) => p.x > inner.left && p.x < inner.right && p.y > inner.top &&
         p.y < inner.bottom);
       if (over) {
-        found.push(`a curve runs through "${over.words}"`);
+        found.push(`a line runs through "${over.words}"`);
         break;
       }
     }
+  }
+  for (const mark of svg.querySelectorAll('use')) {
+    if (mark.closest('defs')) continue;
+    const over = texts.find(({inner}) => meet(inner, mark.getBoundingClientRect()));
+    if (over) found.push(`a mark lies on "${over.words}"`);
   }
   return {texts: texts.length, found};
 }

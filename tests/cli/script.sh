@@ -14,8 +14,9 @@ cp "$source/ricochet" "$source/CMakeLists.txt" "$folder/house"
 cat >"$folder/bin/cmake" <<'EOF'
 #!/bin/sh
 echo "cmake $*" >>"$PLAYED"
-case "$1" in --preset) mkdir -p build/release/bin && printf '#!/bin/sh\necho ran\n' >build/release/bin/calibrate &&
-  chmod +x build/release/bin/calibrate ;; esac
+case "$1" in --preset) mkdir -p build/release/bin && for program in calibrate bench_played; do
+  printf '#!/bin/sh\necho ran\n' >build/release/bin/$program && chmod +x build/release/bin/$program
+done ;; esac
 EOF
 # Every package that is asked for is there.
 cat >"$folder/bin/dpkg-query" <<'EOF'
@@ -40,7 +41,7 @@ echo 'CMAKE_HOME_DIRECTORY:INTERNAL=/somewhere/else' >build/release/CMakeCache.t
 says ../err 'ricochet: build/ is of a checkout in /somewhere/else: configuring anew' 'moved checkout'
 [[ ! -e build/release/CMakeFiles/old ]] || fail 'moved checkout: the old configuration stayed'
 [[ -z $(find build/release -name '.stamp-new.*') ]] || fail 'a stamp of a build that was stopped stayed'
-says "$PLAYED" 'cmake --preset release' 'moved checkout'
+says "$PLAYED" 'cmake --preset release -DRICOCHET_TESTS=OFF' 'moved checkout'
 [[ $(cat ../out) == ran ]] || fail "the program did not run: $(cat ../out)"
 
 # One of its own stays.
@@ -48,6 +49,22 @@ echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt
 touch CMakeLists.txt
 ./ricochet calibrate >../out 2>../err || fail "own build: exit code $?"
 [[ -e build/release/CMakeCache.txt ]] || fail 'own build: its configuration is gone'
+
+# Without the packages of the tests: a first build leaves the tests out, a later one lets them stay as they are.
+for first in yes no; do
+  if [[ $first == yes ]]; then rm -rf build
+  else echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt; fi
+  : >"$PLAYED"
+  ./ricochet bench >../out 2>../err || fail "bench: exit code $?: $(cat ../err)"
+  says "$PLAYED" '-DRICOCHET_BENCH=ON' bench
+  [[ $first == no ]] || says "$PLAYED" '-DRICOCHET_TESTS=OFF' 'first bench'
+  [[ $first == yes ]] || ! grep -q RICOCHET_TESTS "$PLAYED" || fail "later bench: $(cat "$PLAYED")"
+  [[ $(cat ../out) == ran ]] || fail "the benchmark did not run: $(cat ../out)"
+done
+rm -rf build
+: >"$PLAYED"
+./ricochet test >../out 2>../err || true # no ctest of its own here
+grep -q -- '-DRICOCHET_TESTS=OFF.* -DRICOCHET_TESTS=ON' "$PLAYED" || fail "test: the tests are not asked for last"
 
 # Somebody else's build folder. Root may write everywhere.
 as_other=()

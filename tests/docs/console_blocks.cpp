@@ -69,6 +69,23 @@ std::vector<Command> console_commands(const std::vector<std::string>& lines) {
   return commands;
 }
 
+std::vector<Command> shell_commands(const std::vector<std::string>& lines) {
+  std::vector<Command> commands;
+  bool inside = false, shell = false;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string& line = lines[i];
+    if (line.starts_with("```")) {
+      shell = !inside && (line == "```sh" || line == "```");
+      inside = !inside;
+    } else if (shell) {
+      std::string text = line.substr(0, line.find(" #"));
+      text.erase(text.find_last_not_of(' ') + 1);
+      if (!text.empty() && text[0] != '#') commands.push_back({text, i + 1, i + 1});
+    }
+  }
+  return commands;
+}
+
 bool matches(const std::vector<std::string>& documented, const std::vector<std::string>& printed) {
   return lines_match(documented, 0, printed, 0);
 }

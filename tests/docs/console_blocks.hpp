@@ -20,5 +20,9 @@ std::vector<std::string> lines_of(const std::string& text);
 /// Commands of all console blocks, in order. Throws std::runtime_error on a malformed block.
 std::vector<Command> console_commands(const std::vector<std::string>& lines);
 
+/// Commands of all blocks of shell ("```sh", or of no language), in order, without comments: a line each, as these
+/// blocks show no output.
+std::vector<Command> shell_commands(const std::vector<std::string>& lines);
+
 /// True when `printed` is what `documented` says.
 bool matches(const std::vector<std::string>& documented, const std::vector<std::string>& printed);

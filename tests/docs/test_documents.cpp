@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -74,6 +75,11 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
+/// What documents name of the checkout.
+void link_checkout(const TemporaryFolder& folder) {
+  for (const char* name : {"data", "engines", "examples"}) fs::create_directory_symlink(root / name, folder / name);
+}
+
 /// Replaces what is documented by what was printed, as far as a closing "…" lets it show.
 void update(std::vector<std::string>& lines, const Command& command, std::vector<std::string> printed) {
   const auto documented = slice(lines, command.first_output, command.last_output);
@@ -103,8 +109,7 @@ TEST_CASE("every command in the documents does what they say") {
   const bool updating = std::getenv("RICOCHET_UPDATE_DOCS");
   for (const fs::path& document : documents()) {
     const TemporaryFolder folder;  // one a document: a command may use what an earlier one wrote
-    for (const char* name : {"data", "engines"})
-      if (fs::exists(root / name)) fs::create_directory_symlink(root / name, folder / name);
+    link_checkout(folder);
     const auto lines = lines_of(read_file(document));
     auto updated = lines;
     const auto commands = console_commands(lines);
@@ -128,6 +133,50 @@ TEST_CASE("every command in the documents does what they say") {
       update(updated, change->first, change->second);
     if (!changed.empty()) std::ofstream(document) << joined(updated);
   }
+}
+
+TEST_CASE("every command of ours in a block of shell runs, or where that takes long is understood") {
+  // Of these the options alone are looked at.
+  static const std::pair<std::regex, const char*> not_run[] = {
+      {std::regex("verify (sphere|figures|column|cluster|peers) --figures .*"), "each study is a test of its own"},
+      {std::regex("verify engines"), "needs engines, and is a test of its own where they are"},
+      {std::regex("verify conformance --results .*"), "reads what engines wrote"},
+      {std::regex("simulate data/scenes/.*"), "takes up to a minute"}};
+  static const std::regex ours(R"((\./ricochet )?(calibrate|verify|simulate) .*)"), elsewhere("(lmp|liggghts) .*");
+  static const std::regex deck(R"(.*\./ricochet (lammps|liggghts) -in (\S+))");
+  std::size_t run_whole = 0, understood = 0, decks = 0;
+  for (const fs::path& document : documents()) {
+    const TemporaryFolder folder;
+    link_checkout(folder);
+    for (const Command& command : shell_commands(lines_of(read_file(document)))) {
+      INFO(document.string() << ":" << command.first_output << ": " << command.text);
+      CHECK_FALSE(std::regex_match(command.text, elsewhere));
+      if (command.text.find("…") != std::string::npos) continue;
+      if (std::smatch match; std::regex_match(command.text, match, deck)) {
+        CHECK(fs::exists(root / match[2].str()));
+        ++decks;
+      }
+      if (!std::regex_match(command.text, ours)) continue;
+      CHECK(command.text.starts_with("./ricochet "));
+      const std::string text = runnable(command.text);
+      const bool slow = std::any_of(std::begin(not_run), std::end(not_run),
+                                    [&](const auto& kind) { return std::regex_match(text, kind.first); });
+      // What a program complains of first is what it does not understand; here that is the last word alone.
+      const Ran ran = run(slow ? text + " --an-option-of-none" : text, folder);
+      INFO(joined(ran.lines));
+      if (slow) {
+        CHECK(ran.code == 2);
+        CHECK(joined(ran.lines).find("--an-option-of-none") != std::string::npos);
+        ++understood;
+      } else {
+        CHECK(ran.code == 0);
+        ++run_whole;
+      }
+    }
+  }
+  CHECK(run_whole >= 2);
+  CHECK(understood >= 10);
+  CHECK(decks >= 4);
 }
 
 TEST_CASE("the shell of the job for CI runs, and leaves the files that the job keeps") {
@@ -214,6 +263,11 @@ TEST_CASE("console blocks are read as they are meant") {
   CHECK(commands[0].exit_code == 2);
   CHECK(commands[1].exit_code == 0);
   CHECK_THROWS(console_commands(lines_of("```console\n$ a\n")));
+  const auto shell = shell_commands(lines_of("```sh\na 'b#c'   # d\n# e\n```\nf\n```cpp\ng\n```\n```\nh\n```\ni\n"));
+  REQUIRE(shell.size() == 2);
+  CHECK(shell[0].text == "a 'b#c'");
+  CHECK(shell[0].first_output == 2);
+  CHECK(shell[1].text == "h");
   CHECK(matches({"a", "b"}, {"a", "b"}));
   CHECK_FALSE(matches({"a"}, {"a", "b"}));
   CHECK_FALSE(matches({"a", "b"}, {"a"}));

@@ -90,8 +90,12 @@ TEST_CASE("every curve of Fig. 6 is drawn from the column that has its name") {
   CHECK(csv.find("\n3,0.06,0.03,0.03,0.03,0.03,0.03,0.03,0.015,\n") != std::string::npos);
   CHECK(script.find("using 2:") == std::string::npos);
   CHECK(script.find("'column-share.csv' skip 1 using 1:2 with lines lw 2.5") != std::string::npos);
-  for (const auto& [column, title] :
-       {std::pair(3, "linear1"), {6, "tsuji"}, {9, "fractional, α = 0.0258"}, {10, "fractional, α(n_c)"}}) {
+  for (const auto& [column, title] : {std::pair(3, "linear, ended by overlap"),
+                                      {4, "linear, ended by force"},
+                                      {5, "kuwabara-kono"},
+                                      {6, "tsuji"},
+                                      {9, "fractional, α = 0.0258"},
+                                      {10, "fractional, α(n_c)"}}) {
     const auto at = script.rfind("using 1:" + std::to_string(column) + " with");
     REQUIRE(at != std::string::npos);
     const auto named = script.find("title '", at) + 7;

@@ -41,7 +41,7 @@ std::optional<console::Figure> error_curves(const std::vector<EngineGroup>& grou
   console::Plot plot{.layout = console::Layout{.rows = 1,
                                                .columns = 2,
                                                .left = 0.09,
-                                               .right = 0.985,
+                                               .right = 0.975,
                                                .bottom = 0.14 + 0.055 * static_cast<double>(groups.size()),
                                                .top = 0.93,
                                                .between_columns = 0.09}};

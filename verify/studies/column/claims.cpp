@@ -70,8 +70,7 @@ std::string share_finding(const Shares& shares) {
   };
   return fmt::format(
       "With {} beads single collisions (event-driven) would take {} of the energy, the hysteretic law takes {}, "
-      "linear1 "
-      "{}, the fractional law with constant α {}; with α(nc) it takes {}.",
+      "the linear one ended by overlap {}, the fractional law with constant α {}; with α(nc) it takes {}.",
       shares.beads.back(), text("event-driven"), text("hysteretic"), text("linear1"), text("fractional"),
       text("fractional alpha(nc)"));
 }

@@ -48,8 +48,10 @@ std::string styled(const std::string& id) {
   return "linespoints";
 }
 
+/// By the program's name of the law.
 std::string title(const std::string& id) {
-  if (id == "kuwabara-kono") return "nonlinear (Kuwabara-Kono)";
+  if (id == "linear1") return "linear, ended by overlap";
+  if (id == "linear2") return "linear, ended by force";
   if (id == "fractional") return "fractional, constant α";
   if (id == "fractional alpha=0.0258") return "fractional, α = 0.0258";
   if (id == "fractional alpha(nc)") return "fractional, α(n_c)";
