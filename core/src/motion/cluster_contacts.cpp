@@ -162,8 +162,8 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
   if (options_.records) finished_.push_back(c.record);
 }
 
-// Contacts stay in the order of their pairs, those side by side in memory that are met one after the other. In a packing
-// some come and go in every step, so that only what lies between these moves: contacts first … last − 1 by `shift`.
+// Contacts stay in the order of their pairs, those that are met one after the other side by side. In a packing some come
+// and go in every step, so that only what lies between these moves in memory: contacts first … last − 1 by `shift`.
 struct Cluster::Stay {
   std::uint32_t first, last;
   std::int32_t shift;
