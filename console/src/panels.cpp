@@ -47,6 +47,7 @@ Panel panel_of(const std::vector<Motion>& motions, const SeriesFile& file, const
               .room = "graph 0,0.02,0.03,0",
               .zero_line = true};
   std::vector<std::string> titles;
+  titles.reserve(motions.size());
   for (const Motion& motion : motions) titles.push_back(motion.title);
   panel.curves.reserve(motions.size());
   for (std::size_t i = 0; i < motions.size(); ++i)

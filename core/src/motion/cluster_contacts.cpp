@@ -4,6 +4,7 @@
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
+#include <ranges>
 
 namespace ricochet {
 namespace {
@@ -178,6 +179,7 @@ void Cluster::exchange(const std::vector<ContactState>& born) {
     finish(contacts[k], geometry(contacts[k].record.i, contacts[k].record.j));
   }
   std::vector<std::uint32_t> places;
+  places.reserve(born.size());
   for (const ContactState& c : born) places.push_back(place_of(pair_of(c)));
   const std::vector<Stay> stays = stays_between(places);
   const std::size_t count = contacts.size() + born.size() - separated_.size();
@@ -185,8 +187,8 @@ void Cluster::exchange(const std::vector<ContactState>& born) {
   const auto begin = contacts.begin();
   for (const Stay& s : stays)
     if (s.shift < 0) std::copy(begin + s.first, begin + s.last, begin + s.first + s.shift);
-  for (auto s = stays.rbegin(); s != stays.rend(); ++s)
-    if (s->shift > 0) std::copy_backward(begin + s->first, begin + s->last, begin + s->last + s->shift);
+  for (const Stay& s : std::views::reverse(stays))
+    if (s.shift > 0) std::copy_backward(begin + s.first, begin + s.last, begin + s.last + s.shift);
   for (std::size_t k = 0; k < born.size(); ++k) contacts[places[k]] = born[k];
   contacts.resize(count);
   for (std::uint32_t m = 0; m < models_.size(); ++m) regroup(m, stays, places);
