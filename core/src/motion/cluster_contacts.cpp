@@ -4,7 +4,6 @@
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
-#include <ranges>
 
 namespace ricochet {
 namespace {
@@ -163,8 +162,9 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
   if (options_.records) finished_.push_back(c.record);
 }
 
-// Contacts stay in the order of their pairs, those that are met one after the other side by side. In a packing some come
-// and go in every step, so that only what lies between these moves in memory: contacts first … last − 1 by `shift`.
+// Contacts stay in the order of their pairs, those that are met one after the other side by side. In a packing some
+// come and go in every step; what moves in memory is only what lies between these: contacts first … last − 1, by
+// `shift`.
 struct Cluster::Stay {
   std::uint32_t first, last;
   std::int32_t shift;
@@ -187,8 +187,9 @@ void Cluster::exchange(const std::vector<ContactState>& born) {
   const auto begin = contacts.begin();
   for (const Stay& s : stays)
     if (s.shift < 0) std::copy(begin + s.first, begin + s.last, begin + s.first + s.shift);
-  for (const Stay& s : std::views::reverse(stays))
-    if (s.shift > 0) std::copy_backward(begin + s.first, begin + s.last, begin + s.last + s.shift);
+  for (std::size_t k = stays.size(); k-- > 0;)
+    if (const Stay& s = stays[k]; s.shift > 0)
+      std::copy_backward(begin + s.first, begin + s.last, begin + s.last + s.shift);
   for (std::size_t k = 0; k < born.size(); ++k) contacts[places[k]] = born[k];
   contacts.resize(count);
   for (std::uint32_t m = 0; m < models_.size(); ++m) regroup(m, stays, places);
