@@ -28,7 +28,7 @@ Sample sample_of(Vec3 branch, Vec3 spin) {
 
 /// Spheres 1 and 5 collide from 1 to 3 s; the spin of 1 is its time, across the normal.
 Run run_of_three() {
-  Run run{.law = {0.5}, .step = 1, .samples = {}, .collisions = {{.begin = 1, .end = 3, .i = 0, .j = 4}}};
+  Run run{.law = {0.5}, .step = 1, .samples = {}, .collisions = {{.i = 0, .j = 4, .begin = 1, .end = 3}}};
   for (double t = 0; t < 5; ++t) {
     run.samples.push_back(sample_of({0.3, 0, -0.4}, t * Vec3{0, 1, 0}));
     run.samples.back().time = t;

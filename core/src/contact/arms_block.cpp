@@ -1,3 +1,5 @@
+#include "lanes.hpp"
+
 #include <ricochet/contact/arms_block.hpp>
 #include <ricochet/contact/mean_force.hpp>
 #include <ricochet/support/require.hpp>
@@ -20,18 +22,11 @@ namespace ricochet {
 
 namespace {
 
+using contact::load, contact::Pair, contact::pair_at;
 using Coefficients = ArmsBlock::Coefficients;
 using Run = void (*)(const Coefficients&, std::size_t, double*, const double*, const double*, double*) noexcept;
 
-// Two doubles are what every x86-64 and ARM64 holds in a register. Left to itself g++ vectorises over contacts instead,
-// and transposes every block twice.
-using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
-
-template <class Vector>
-[[gnu::always_inline]] inline void load(Vector& to, const double* from) noexcept {
-  std::memcpy(&to, from, sizeof to);
-}
-
+// Pairs of arms: left to itself g++ vectorises over contacts instead, and transposes every block twice.
 template <std::size_t Blocks>
 void run_baseline(const Coefficients& s, std::size_t contacts, double* __restrict q, const double* before,
                   const double* after, double* __restrict held) noexcept {
@@ -39,11 +34,9 @@ void run_baseline(const Coefficients& s, std::size_t contacts, double* __restric
     const double rise = after[j] - before[j];
     Pair sum[2] = {};
     for (std::size_t a = 0; a < 4 * Blocks; a += 2) {
-      Pair next, decay, gain, weight;
-      load(next, q + a), load(decay, &s.decay[a]), load(gain, &s.gain[a]), load(weight, &s.weight[a]);
-      next = decay * next + gain * rise;
+      const Pair next = pair_at(&s.decay[a]) * pair_at(q + a) + pair_at(&s.gain[a]) * rise;
       std::memcpy(q + a, &next, sizeof next);
-      sum[a / 2 % 2] += weight * next;
+      sum[a / 2 % 2] += pair_at(&s.weight[a]) * next;
     }
     const Pair total = sum[0] + sum[1];
     held[j] = (total[0] + total[1]) + s.spring * after[j];

@@ -1,3 +1,5 @@
+#include "lanes.hpp"
+
 #include <ricochet/contact/fractional.hpp>
 #include <ricochet/contact/maxwell_arms.hpp>
 #include <ricochet/fractional/decay_moments.hpp>
@@ -11,20 +13,13 @@ static_assert(ContactLaw<FractionalArms>);
 
 namespace {
 
+using contact::Pair, contact::pair_at;
+
 /// How an arm's elongation q, q' = ζ' − s q, moves over a step dt along which ζ' is linear:
 ///   q(dt) = decay·q(0) + gain_before·ζ'(0) + gain_after·ζ'(dt).
 struct Step {
   double decay, gain_before, gain_after;
 };
-
-// What every x86-64 and ARM64 holds in a register. Left to itself g++ takes the pairs apart.
-using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
-
-Pair pair_at(const double* from) noexcept {
-  Pair pair;
-  std::memcpy(&pair, from, sizeof pair);
-  return pair;
-}
 
 Step step_of(double rate, double dt) noexcept {
   const auto m = fractional::decay_moments(rate * dt);
@@ -95,7 +90,7 @@ double MaxwellArms::dissipated_power(Approach a, const Memory& m) const noexcept
   return power;
 }
 
-// Even and odd arms apart, so that two go at a time; those past the last stay 0.
+// Even and odd arms apart, so that two go at a time (left to itself g++ parts them); those past the last stay 0.
 MaxwellArms::Reading MaxwellArms::advance_and_read(Memory& m, Approach before, Approach after) const noexcept {
   Pair force{spring_ * after.overlap, dashpot_ * after.rate};
   Pair twice{force[0] * after.overlap, 0}, power{0, force[1] * after.rate};

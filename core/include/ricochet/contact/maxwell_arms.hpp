@@ -84,15 +84,6 @@ class MaxwellArms {
   std::array<double, max_arms> decay_{}, gain_before_{}, gain_after_{};  // over step_
 };
 
-/// A law whose memory moves as those of MaxwellArms: none that stretches its arms in another way.
-template <class Law>
-concept MovesAsArms = requires {
-  { &Law::advance } -> std::same_as<decltype(&MaxwellArms::advance)>;
-  { &Law::force } -> std::same_as<decltype(&MaxwellArms::force)>;
-  { &Law::stored_energy } -> std::same_as<decltype(&MaxwellArms::stored_energy)>;
-  { &Law::dissipated_power } -> std::same_as<decltype(&MaxwellArms::dissipated_power)>;
-};
-
 /// A law that engines step by MaxwellArms.
 template <class Law>
 concept ArmsLaw = ContactLaw<Law> && std::derived_from<Law, MaxwellArms>;

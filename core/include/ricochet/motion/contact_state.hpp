@@ -33,19 +33,19 @@ std::string_view name(Phase phase) noexcept;
 struct Encounter {
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  std::array<double, phase_count> phase_begin{never, never, never, never, never, never};  ///< when first entered [s]
-  double begin = 0;                                                                       ///< t_b [s]
-  double separation = never;  ///< where the overlap returned to zero [s]; the pair forgets its memory there
+  std::uint32_t i = 0, j = 0;  ///< bodies; walls count from the number of spheres
+  double begin = 0;            ///< t_b [s]
   double end = never;  ///< t_e [s]: first zero of the force (25), else of the overlap (24), or at rest (26); t_col =
                        ///< end − begin
+  double separation = never;  ///< where the overlap returned to zero [s]; the pair forgets its memory there
   EncounterEnd how = EncounterEnd::open;
-  std::uint32_t i = 0, j = 0;  ///< bodies; walls count from the number of spheres
+  std::array<double, phase_count> phase_begin{never, never, never, never, never, never};  ///< when first entered [s]
 
   bool operator==(const Encounter&) const = default;
 };
 
 /// A contact between two steps: what its future depends on besides its law's memory, which the laws keep side by side.
-/// 288 bytes, whatever the law; what every step asks for stands together, so that a step fetches three fifths of them.
+/// 288 bytes, whatever the law.
 struct ContactState {
   Encounter record;
   std::uint32_t model = 0;    ///< which interaction, as the cluster counts them
@@ -55,12 +55,12 @@ struct ContactState {
   double lag = 0;             ///< from that time to the middle of the coming step [s]
   bool fresh = false;         ///< within the contact's first step
   double normal_impulse = 0;  ///< of the last step [N s]
-  double strained = 0;        ///< energy of the tangential law's springs at the end of the last step [J]
-  double stored = 0;          ///< elastic energy and memory at the end of the last step [J]
   FrictionImpulse friction;   ///< of the last step, from where the next one is sought
-  Elongation elongation;      ///< of a compliant tangential law, at the time of the memory
+  double stored = 0;          ///< elastic energy and memory at the end of the last step [J]
   double impact_rate = 0;     ///< ζ' at t_b [m/s]
   double speed_scale = 0;     ///< of the meeting [m/s]: a 10⁻⁹ of it counts as no motion
+  Elongation elongation;      ///< of a compliant tangential law, at the time of the memory
+  double strained = 0;        ///< energy of its springs at the end of the last step [J]
 };
 
 }  // namespace ricochet

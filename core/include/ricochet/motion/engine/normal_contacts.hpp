@@ -1,11 +1,13 @@
 #pragma once
 
+#include <ricochet/contact/maxwell_arms.hpp>
 #include <ricochet/contact/mean_force.hpp>
 #include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/engine/implicit_force.hpp>
 #include <ricochet/motion/engine/memory_slots.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -73,6 +75,15 @@ class NormalContacts {
   virtual void save(const ContactState& contact, std::span<double> values) const = 0;
   /// Takes a contact up whose memory was saved.
   virtual void restore(ContactState& contact, std::span<const double> values) = 0;
+};
+
+/// A law whose memory moves as those of MaxwellArms: none that stretches its arms in another way.
+template <class Law>
+concept MovesAsArms = requires {
+  { &Law::advance } -> std::same_as<decltype(&MaxwellArms::advance)>;
+  { &Law::force } -> std::same_as<decltype(&MaxwellArms::force)>;
+  { &Law::stored_energy } -> std::same_as<decltype(&MaxwellArms::stored_energy)>;
+  { &Law::dissipated_power } -> std::same_as<decltype(&MaxwellArms::dissipated_power)>;
 };
 
 template <ContactLaw Law>
