@@ -22,7 +22,6 @@
 namespace ricochet::calibration {
 namespace {
 
-using console::escaped;
 using console::Notation;
 using console::Table;
 

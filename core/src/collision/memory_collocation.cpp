@@ -107,17 +107,18 @@ const Mesh& mesh() {
 /// eigenvalues of its Jacobi matrix (Golub and Welsch), its weights summing to 1, so that it stays regular as β → 0.
 Square own_panel(double beta) {
   const double a = beta - 1;
-  MatrixXd jacobi = MatrixXd::Zero(size, size);
-  for (int k = 0; k < size; ++k) {
+  VectorXd diagonal(size), beside(size - 1);
+  diagonal[0] = -a / (a + 2);
+  for (int k = 1; k < size; ++k) {
     const double n = 2.0 * k + a;
-    jacobi(k, k) = k == 0 ? -a / (a + 2) : -a * a / (n * (n + 2));
-    if (k == 0) continue;
+    diagonal[k] = -a * a / (n * (n + 2));
     // k²(k+a)² 4/((n)²(n+1)(n−1)); at k = 1 the factor 1+a is common to both
     const double off = k == 1 ? 4 * (1 + a) / ((2 + a) * (2 + a) * (3 + a))
                               : 4.0 * k * k * (k + a) * (k + a) / (n * n * (n + 1) * (n - 1));
-    jacobi(k, k - 1) = jacobi(k - 1, k) = std::sqrt(off);
+    beside[k - 1] = std::sqrt(off);
   }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solved(jacobi);
+  Eigen::SelfAdjointEigenSolver<MatrixXd> solved;
+  solved.computeFromTridiagonal(diagonal, beside);
   Square result = Square::Zero();
   for (int i = 0; i < size; ++i)
     for (int q = 0; q < size; ++q) {

@@ -92,6 +92,7 @@ std::vector<Group> by_size(std::span<const double> radii) {
   std::map<int, Group> groups;
   for (std::uint32_t i = 0; i < radii.size(); ++i) groups[std::ilogb(greatest / radii[i])].push_back(i);
   std::vector<Group> sorted;
+  sorted.reserve(groups.size());
   for (auto& [size, group] : groups) sorted.push_back(std::move(group));
   return sorted;
 }
