@@ -158,10 +158,12 @@ TEST_CASE("a step in one pass is the step and what the law then says, of any num
     for (int n = 0; n < 30; ++n) {
       const double rate = 0.2 * std::cos(0.1 * n);
       const Approach after{before.overlap + 0.5 * step * (before.rate + rate), rate};
+      const double foreseen = arms.force_after(before, after, one);
       arms.advance(one, before, after, step);
       const MaxwellArms::Reading read = arms.advance_and_read(two, before, after);
       REQUIRE(one == two);
       CHECK(read.force == Approx(arms.force(after, one)).epsilon(1e-13));
+      CHECK(foreseen == Approx(arms.force(after, one)).epsilon(1e-13));
       CHECK(read.stored == Approx(arms.stored_energy(after, one)).epsilon(1e-13));
       CHECK(read.dissipated == Approx(arms.dissipated_power(after, one)).epsilon(1e-13));
       before = after;

@@ -50,6 +50,8 @@ MaxwellArms::MaxwellArms(const Parts& parts, double step)
     decay_[j] = s.decay;
     gain_before_[j] = s.gain_before;
     gain_after_[j] = s.gain_after;
+    held_[j] = stiffness_[j] * s.decay;
+    step_gain_before_ += stiffness_[j] * s.gain_before;
   }
   step_gain_ = gain_over(step);
 }
@@ -64,6 +66,18 @@ double MaxwellArms::force(Approach a, const Memory& m) const noexcept {
   double sum = spring_ * a.overlap + dashpot_ * a.rate;
   for (std::size_t j = 0; j < arms_; ++j) sum += stiffness_[j] * m.elongation[j];
   return sum;
+}
+
+// Two pairs at a time, or it is bound by the latency of one sum; arms past the last are 0.
+double MaxwellArms::force_after(Approach before, Approach after, const Memory& m) const noexcept {
+  static_assert(max_arms % 4 == 0);
+  Pair one{}, other{};
+  for (std::size_t j = 0; j < arms_; j += 4) {
+    one += pair_at(&held_[j]) * pair_at(&m.elongation[j]);
+    other += pair_at(&held_[j + 2]) * pair_at(&m.elongation[j + 2]);
+  }
+  const Pair sum = one + other;
+  return spring_ * after.overlap + step_gain_ * after.rate + step_gain_before_ * before.rate + (sum[0] + sum[1]);
 }
 
 void MaxwellArms::advance(Memory& m, Approach before, Approach after, double dt) const noexcept {
@@ -90,10 +104,10 @@ double MaxwellArms::dissipated_power(Approach a, const Memory& m) const noexcept
   return power;
 }
 
-// Even and odd arms apart, so that two go at a time (left to itself g++ parts them); those past the last stay 0.
+// Even and odd arms apart, so that two go at a time (left to itself g++ parts them); those past the last stay 0. What
+// stands beside the arms comes last: a pair made of two numbers goes through memory in halves, which is slow.
 MaxwellArms::Reading MaxwellArms::advance_and_read(Memory& m, Approach before, Approach after) const noexcept {
-  Pair force{spring_ * after.overlap, dashpot_ * after.rate};
-  Pair twice{force[0] * after.overlap, 0}, power{0, force[1] * after.rate};
+  Pair force{}, twice{}, power{};
   for (std::size_t j = 0; j < arms_; j += 2) {
     double* const place = &m.elongation[j];
     const Pair q = pair_at(&decay_[j]) * pair_at(place) + pair_at(&gain_before_[j]) * before.rate +
@@ -102,7 +116,9 @@ MaxwellArms::Reading MaxwellArms::advance_and_read(Memory& m, Approach before, A
     const Pair pull = pair_at(&stiffness_[j]) * q, energy = pull * q;
     force += pull, twice += energy, power += pair_at(&rate_[j]) * energy;
   }
-  return {force[0] + force[1], 0.5 * (twice[0] + twice[1]), power[0] + power[1]};
+  const double elastic = spring_ * after.overlap, viscous = dashpot_ * after.rate;
+  return {elastic + viscous + (force[0] + force[1]), 0.5 * (elastic * after.overlap + (twice[0] + twice[1])),
+          viscous * after.rate + (power[0] + power[1])};
 }
 
 }  // namespace ricochet

@@ -72,10 +72,10 @@ void Cluster::begin_step() {
   const std::size_t spheres = size(), bodies = state_.velocities.size();
   motions_.resize(bodies);
   note_start(spheres, bodies);
-  share(spheres, [this](std::size_t first, std::size_t last) {
-    note_start(first, last);
-    fall(first, last);
-    if (!long_range_) foresee(first, last);
+  each_range([this](const Range& range) {
+    note_start(range.first, range.last);
+    fall(range.first, range.last);
+    if (!long_range_) foresee(range.first, range.last);
   });
   kick_by_fields();
   if (long_range_) foresee(0, spheres);
@@ -87,20 +87,12 @@ void Cluster::begin_step() {
 
 void Cluster::pass_at_once() {
   begin_step();
-  if (workers_) {
-    passed_.resize(state_.contacts.size());
-    share(passed_.size(), [this](std::size_t first, std::size_t last) {
-      pass_range(first, last, std::span(passed_).subspan(first, last - first));
-    });
-    share(size(), [this](std::size_t first, std::size_t last) {
-      gather(passed_, first, last);
-      end_step(first, last);
-    });
-    book(passed_);
-  } else {
-    pass_range(0, state_.contacts.size(), {});
-    end_step(0, size());
-  }
+  each_range([this](Range& range) { pass_range(range); });
+  each_range([this](const Range& range) {
+    add_late(range.first, range.last);
+    end_step(range.first, range.last);
+  });
+  book();
   sweeps_ = 1;
   converged_ = true;
 }
@@ -114,17 +106,18 @@ void Cluster::end_step(std::size_t first, std::size_t last) noexcept {
   fly(first, last);
 }
 
-// Of contacts first … last − 1, by blocks. Without `passed`, which takes what they pass, that is gathered at once.
-void Cluster::pass_range(std::size_t first, std::size_t last, std::span<Passed> passed) {
+// By blocks of contacts.
+void Cluster::pass_range(Range& range) {
   Workspace space;
-  for (std::size_t k = first; k < last; k += block_size) {
-    const std::size_t end = std::min(last, k + block_size);
-    const std::span<Passed> these =
-        passed.empty() ? std::span(space.passed).first(end - k) : passed.subspan(k - first, end - k);
-    pass_block(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(end), space, these);
-    if (!passed.empty()) continue;
-    gather(these, 0, size());
-    book(these);
+  range.late.clear();
+  std::fill(losses_.begin() + range.first / group_of_losses,
+            losses_.begin() + (range.last + group_of_losses - 1) / group_of_losses, Losses{});
+  const std::uint32_t last = place_of({range.last, 0});
+  for (std::uint32_t first = place_of({range.first, 0}); first < last;) {
+    const std::uint32_t end = std::min<std::uint32_t>(last, first + block_size);
+    pass_block(first, end, space);
+    gather(std::span(space.passed).first(end - first), range);
+    first = end;
   }
 }
 
@@ -138,11 +131,11 @@ inline ContactGeometry Cluster::geometry_of(const ContactState& c) const noexcep
                        models_[c.model].turns);
 }
 
-void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& space, std::span<Passed> passed) {
-  auto& geometries = space.geometries;
-  auto& rows = space.rows;
+void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& space) {
+  auto& [geometries, rows, passed, slides] = space;
   for (std::uint32_t k = first; k < last; ++k) {
     const ContactState& c = state_.contacts[k];
+    if (k + 8 < last) motion::fetch(motions_[state_.contacts[k + 8].record.j]);
     geometries[k - first] = geometry_of(c);
     rows[k - first] = normal_row(c, geometries[k - first]);
   }
@@ -162,11 +155,11 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
       pass_tangential(c, geometries[n], rows[n], v, passed[n]);
       continue;
     }
-    space.slides.contacts[space.slides.count] = n;
-    add_slide(c, geometries[n], rows[n], v, space.slides);
-    if (space.slides.count == motion::Slides::lanes) pass_slides(first, space, passed);
+    slides.contacts[slides.count] = n;
+    add_slide(c, geometries[n], rows[n], v, slides);
+    if (slides.count == motion::Slides::lanes) pass_slides(first, space);
   }
-  if (space.slides.count > 0) pass_slides(first, space, passed);
+  if (slides.count > 0) pass_slides(first, space);
   const double now = middle();
   each_batch([now](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.conclude(batch, now); });
   for (std::uint32_t k = first; k < last; ++k) {
@@ -175,25 +168,38 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
   }
 }
 
-// What the contacts, in their order, pass to spheres first … last − 1: each sphere's sum is the same whoever makes it.
-void Cluster::gather(std::span<const Passed> passed, std::size_t first, std::size_t last) noexcept {
-  for (const Passed& p : passed) {
-    if (p.i >= last) break;  // contacts are ordered by i < j
-    if (p.i >= first) {
-      state_.velocity_gains[p.i] += p.linear;
-      state_.spin_gains[p.i] += p.on_i;
+// Each body's gains are summed in the order of its contacts, whoever passes them.
+void Cluster::gather(std::span<const Passed> passed, Range& range) {
+  const auto add = [&](std::uint32_t body, Vec3 linear, Vec3 turning) {
+    if (lowest_[body] < range.first) {
+      range.late.push_back({body, linear, turning});
+      return;
     }
-    if (p.j < first || p.j >= last) continue;
-    state_.velocity_gains[p.j] -= p.linear;
-    state_.spin_gains[p.j] += p.on_j;
+    state_.velocity_gains[body] += linear;
+    state_.spin_gains[body] += turning;
+  };
+  for (const Passed& p : passed) {
+    add(p.i, p.linear, p.on_i);
+    if (p.j < radii_.size()) add(p.j, -p.linear, p.on_j);
+    Losses& losses = losses_[p.i / group_of_losses];
+    losses.normal += p.lost_normal, losses.friction += p.lost_friction, losses.wall_work += p.wall_work;
   }
 }
 
-void Cluster::book(std::span<const Passed> passed) noexcept {
-  for (const Passed& p : passed) {
-    state_.lost_normal += p.lost_normal;
-    state_.lost_friction += p.lost_friction;
-    state_.wall_work += p.wall_work;
+void Cluster::add_late(std::size_t first, std::size_t last) noexcept {
+  for (const Range& range : ranges_)
+    for (const Gain& gain : range.late) {
+      if (gain.body < first || gain.body >= last) continue;
+      state_.velocity_gains[gain.body] += gain.linear;
+      state_.spin_gains[gain.body] += gain.turning;
+    }
+}
+
+void Cluster::book() noexcept {
+  for (const Losses& losses : losses_) {
+    state_.lost_normal += losses.normal;
+    state_.lost_friction += losses.friction;
+    state_.wall_work += losses.wall_work;
   }
 }
 
@@ -288,7 +294,7 @@ RICOCHET_INNERMOST void Cluster::limit_slide(const ContactState& c, motion::Slid
 }
 
 // All that are gathered in the lanes.
-void Cluster::pass_slides(std::uint32_t first, Workspace& space, std::span<Passed> passed) noexcept {
+void Cluster::pass_slides(std::uint32_t first, Workspace& space) noexcept {
   motion::Slides& s = space.slides;
   motion::hold(s, options_.step, instructions_);
   for (std::size_t k = 0; k < s.count; ++k) limit_slide(state_.contacts[first + s.contacts[k]], s, k);
@@ -296,7 +302,7 @@ void Cluster::pass_slides(std::uint32_t first, Workspace& space, std::span<Passe
   for (std::size_t k = 0; k < s.count; ++k) {
     const std::uint32_t n = s.contacts[k];
     ContactState& c = state_.contacts[first + n];
-    Passed& p = passed[n];
+    Passed& p = space.passed[n];
     const Vec3 impulse = s.impulse[k];
     p.linear += impulse, p.on_i = s.on_i[k], p.on_j = s.on_j[k], p.lost_friction = s.lost[k];
     c.friction.sliding = impulse, c.elongation.slide = s.strain[k], c.strained = s.stored[k];

@@ -38,7 +38,30 @@ void Cluster::list_candidates() {
       if (walls_[w].meet(state_.half_positions[i], radii_[i], middle()).overlap >= -neighbours_.skin())
         candidates_.push_back({i, static_cast<std::uint32_t>(size()) + w});
   }
+  split();
   mark_closed();
+}
+
+// About as much work for each thread, whose the spheres are until the next list.
+void Cluster::split() {
+  const auto spheres = static_cast<std::uint32_t>(size());
+  const std::size_t work = candidates_.size() + spheres;
+  lowest_.assign(spheres, spheres);
+  for (const auto [i, j] : candidates_)
+    if (j < spheres) lowest_[j] = std::min(lowest_[j], i);
+  losses_.resize((spheres + group_of_losses - 1) / group_of_losses);
+  ranges_.resize(workers_ ? workers_->threads() : 1);
+  std::uint32_t sphere = 0;
+  std::size_t candidate = 0;
+  for (std::size_t n = 0; n < ranges_.size(); ++n) {
+    Range& range = ranges_[n];
+    range.first = sphere, range.first_candidate = candidate;
+    while (sphere < spheres && candidate + sphere < work * (n + 1) / ranges_.size()) {
+      sphere = std::min(spheres, sphere + group_of_losses);
+      while (candidate < candidates_.size() && candidates_[candidate].i < sphere) ++candidate;
+    }
+    range.last = sphere, range.last_candidate = candidate;
+  }
 }
 
 inline bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
@@ -50,25 +73,22 @@ inline bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
 
 void Cluster::find_touching() {
   if (neighbours_.update(state_.half_positions) || walls_moved()) list_candidates();
+  each_range([this](Range& range) {
+    range.changed.clear();
+    for (std::size_t k = range.first_candidate; k < range.last_candidate; ++k)
+      if (touches(candidates_[k].i, candidates_[k].j) != (closed_[k] != 0)) range.changed.push_back(k);
+  });
   std::vector<ContactState> born;
-  if (workers_) {
-    touching_.resize(candidates_.size());
-    share(candidates_.size(), [this](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) touching_[k] = touches(candidates_[k].i, candidates_[k].j) ? 1 : 0;
-    });
-  }
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    const auto [i, j] = candidates_[k];
-    if ((workers_ ? touching_[k] != 0 : touches(i, j)) == (closed_[k] != 0)) continue;
-    if (closed_[k] == 0) {
-      born.push_back(begin_contact(i, j));
-      closed_[k] = 1;
-      add_drag(born.back(), 1);
-    } else {
-      separated_.push_back(place_of(candidates_[k]));
-      closed_[k] = 0;
+  for (const Range& range : ranges_)
+    for (const std::size_t k : range.changed) {
+      if (closed_[k] == 0) {
+        born.push_back(begin_contact(candidates_[k].i, candidates_[k].j));
+        add_drag(born.back(), 1);
+      } else {
+        separated_.push_back(place_of(candidates_[k]));
+      }
+      closed_[k] = closed_[k] == 0 ? 1 : 0;
     }
-  }
   if (!separated_.empty() || !born.empty()) exchange(born);
 }
 

@@ -7,14 +7,16 @@
 // What a contact's solution begins with, by sweeps or at once.
 namespace ricochet {
 
-// part(first, last) for 0 … count − 1, split among the threads.
+// Spheres whose contacts' losses are summed first, so that the sum does not depend on who takes which.
+inline constexpr std::uint32_t group_of_losses = 16;
+
+// part(range) for all of them, by as many threads.
 template <class Part>
-void Cluster::share(std::size_t count, const Part& part) {
-  constexpr std::size_t grain = 64;
+void Cluster::each_range(const Part& part) {
   if (workers_)
-    workers_->share(count, grain, part);
+    workers_->run([&](std::size_t worker) { part(ranges_[worker]); });
   else
-    part(0, count);
+    part(ranges_.front());
 }
 
 // From the centre of one sphere to that of another, across a border where that is nearer.

@@ -1,7 +1,5 @@
 #include <ricochet/motion/engine/workers.hpp>
 
-#include <algorithm>
-
 namespace ricochet::motion {
 
 Workers::Workers(std::size_t threads) {
@@ -18,7 +16,7 @@ Workers::~Workers() {
 
 namespace {
 
-// Shares of one step follow each other within microseconds, and a thread that sleeps takes tens to wake: until the
+// Parts of one step follow each other within microseconds, and a thread that sleeps takes tens to wake: until the
 // value is another than `seen`, looks for a while before it sleeps.
 void await_other(const std::atomic<unsigned>& value, unsigned seen) {
   constexpr int looks = 200;
@@ -31,21 +29,14 @@ void await_other(const std::atomic<unsigned>& value, unsigned seen) {
 
 }  // namespace
 
-void Workers::share(std::size_t count, std::size_t grain, const Part& part) {
-  count_ = count, grain_ = grain, part_ = &part;
+void Workers::run(const Part& part) {
+  part_ = &part;
   busy_.store(static_cast<unsigned>(others_.size()), std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
-  do_part(0);
+  part(0);
   for (unsigned left = busy_.load(std::memory_order_acquire); left > 0; left = busy_.load(std::memory_order_acquire))
     await_other(busy_, left);
-}
-
-void Workers::do_part(std::size_t worker) const {
-  const std::size_t grains = (count_ + grain_ - 1) / grain_, all = threads();
-  const std::size_t first = grains * worker / all * grain_,
-                    last = std::min(count_, grains * (worker + 1) / all * grain_);
-  if (first < last) (*part_)(first, last);
 }
 
 void Workers::work(std::size_t worker) {
@@ -53,7 +44,7 @@ void Workers::work(std::size_t worker) {
     await_other(round_, seen);
     seen = round_.load(std::memory_order_acquire);
     if (over_) return;
-    do_part(worker);
+    (*part_)(worker);
     if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
   }
 }

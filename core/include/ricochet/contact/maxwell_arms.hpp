@@ -42,6 +42,8 @@ class MaxwellArms {
 
   double force(Approach a, const Memory& m) const noexcept;
   void advance(Memory& m, Approach before, Approach after, double dt) const noexcept;
+  /// The force after `advance` over dt = step(), at `after`, in one pass that leaves the memory as it is.
+  double force_after(Approach before, Approach after, const Memory& m) const noexcept;
   /// How much the force after `advance` over dt grows with the rate at its end [N s/m].
   double rate_gain(double dt) const noexcept { return dt == step_ ? step_gain_ : gain_over(dt); }
   /// `advance` over dt = step() and `force` at its end in one pass, for an engine that keeps the elongations in an
@@ -77,11 +79,12 @@ class MaxwellArms {
 
   std::size_t arms_ = 0;
   double step_ = 0;
-  double step_gain_ = 0;                                                 // rate_gain over step_ [N s/m]
+  double step_gain_ = 0, step_gain_before_ = 0;  // of the force after step_ from the rates at its ends [N s/m]
   double spring_ = 0;                                                    // [N/m]
   double dashpot_ = 0;                                                   // [N s/m]
   std::array<double, max_arms> stiffness_{}, rate_{};                    // of each arm [N/m], [1/s]
   std::array<double, max_arms> decay_{}, gain_before_{}, gain_after_{};  // over step_
+  std::array<double, max_arms> held_{};                                  // of an elongation in the force after step_
 };
 
 /// A law that engines step by MaxwellArms.

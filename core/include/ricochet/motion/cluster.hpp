@@ -189,6 +189,21 @@ class Cluster {
     Vec3 linear, on_i, on_j;  // impulse on i and torques
     double lost_normal = 0, lost_friction = 0, wall_work = 0;
   };
+  // What a range's contact passes to a body.
+  struct Gain {
+    std::uint32_t body;
+    Vec3 linear, turning;
+  };
+  struct Losses {
+    double normal = 0, friction = 0, wall_work = 0;
+  };
+  // Some of the spheres, with the candidates and contacts whose body i is one of them: what a thread takes.
+  struct alignas(128) Range {
+    std::uint32_t first = 0, last = 0;  // spheres first … last − 1, whole groups
+    std::size_t first_candidate = 0, last_candidate = 0;
+    std::vector<std::size_t> changed;  // candidates that have met or parted
+    std::vector<Gain> late;            // for bodies that an earlier range may reach, whose gains go first
+  };
   // How a contact moved over a step, for its record.
   struct Course {
     double rate_mid = 0;
@@ -229,13 +244,14 @@ class Cluster {
   SlipMotion mean_slip(const ContactState& c, const ContactGeometry& g) const noexcept;
 
   template <class Part>
-  void share(std::size_t count, const Part& part);
+  void each_range(const Part& part);
   void note_start(std::size_t first, std::size_t last) noexcept;
   void fall(std::size_t first, std::size_t last) noexcept;
   void kick_by_fields();
   void fly(std::size_t first, std::size_t last) noexcept;
   void note_end();
   void list_candidates();
+  void split();
   void find_touching();
   std::uint32_t place_of(NearPair pair) const noexcept;
   struct Stay;
@@ -266,10 +282,11 @@ class Cluster {
   void pass_at_once();
   void end_step(std::size_t first, std::size_t last) noexcept;
   struct Workspace;
-  void pass_range(std::size_t first, std::size_t last, std::span<Passed> passed);
-  void pass_block(std::uint32_t first, std::uint32_t last, Workspace& space, std::span<Passed> passed);
-  void gather(std::span<const Passed> passed, std::size_t first, std::size_t last) noexcept;
-  void book(std::span<const Passed> passed) noexcept;
+  void pass_range(Range& range);
+  void pass_block(std::uint32_t first, std::uint32_t last, Workspace& space);
+  void gather(std::span<const Passed> passed, Range& range);
+  void add_late(std::size_t first, std::size_t last) noexcept;
+  void book() noexcept;
   Vec3 pass_normal(const ContactState& c, const ContactGeometry& g, motion::NormalRow& along,
                    Passed& passed) const noexcept;
   void pass_tangential(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
@@ -278,7 +295,7 @@ class Cluster {
   void add_slide(const ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity_mid,
                  motion::Slides& slides) const noexcept;
   void limit_slide(const ContactState& c, motion::Slides& slides, std::size_t lane) const noexcept;
-  void pass_slides(std::uint32_t first, Workspace& space, std::span<Passed> passed) noexcept;
+  void pass_slides(std::uint32_t first, Workspace& space) noexcept;
   Vec3 normal_then(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
   template <bool Turns>
   void pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
@@ -321,7 +338,6 @@ class Cluster {
   NeighbourList neighbours_;
   std::vector<NearPair> candidates_;
   std::vector<char> closed_;                 // whether they are in contact
-  std::vector<char> touching_;               // whether they overlap now; of several threads
   std::vector<std::uint32_t> separated_;     // contacts that are to end
   std::vector<Motion> motions_;              // of bodies
   std::vector<ContactGeometry> geometries_;  // of contacts, in the middle of the step
@@ -335,7 +351,9 @@ class Cluster {
   std::vector<Vec3> field_forces_;
   std::vector<Encounter> finished_;
   std::unique_ptr<motion::Workers> workers_;  // where there are several
-  std::vector<Passed> passed_;                // theirs
+  std::vector<Range> ranges_;                 // one for each
+  std::vector<std::uint32_t> lowest_;         // of spheres, the least i of candidates that have them for j
+  std::vector<Losses> losses_;                // of a step, by groups of spheres i, whatever the number of threads
   Instructions instructions_ = widest_instructions();
   std::size_t rebuilds_ = 0;
   int sweeps_ = 0;

@@ -24,6 +24,15 @@ struct AffineForce {
   double slope;  ///< [N s/m]
 };
 
+/// A law whose memory moves as those of MaxwellArms: none that stretches its arms in another way.
+template <class Law>
+concept MovesAsArms = requires {
+  { &Law::advance } -> std::same_as<decltype(&MaxwellArms::advance)>;
+  { &Law::force } -> std::same_as<decltype(&MaxwellArms::force)>;
+  { &Law::stored_energy } -> std::same_as<decltype(&MaxwellArms::stored_energy)>;
+  { &Law::dissipated_power } -> std::same_as<decltype(&MaxwellArms::dissipated_power)>;
+};
+
 /// The force of a law whose memory, then at `before`, has gone to `at` within dt.
 template <ContactLaw Law>
 double force_after(const Law& law, Approach before, Approach at, typename Law::Memory memory, double dt) noexcept {
@@ -57,6 +66,8 @@ inline AffineForce implicit_force(const Hysteretic& law, Approach before, Approa
 template <ArmsLaw Law>
 AffineForce implicit_force(const Law& law, Approach before, Approach at, const typename Law::Memory& memory, double dt,
                            double) noexcept {
+  if constexpr (MovesAsArms<Law>)
+    if (dt == law.step()) return {law.force_after(before, at, memory), law.rate_gain(dt)};
   return {force_after(law, before, at, memory, dt), law.rate_gain(dt)};
 }
 

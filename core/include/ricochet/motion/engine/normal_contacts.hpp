@@ -1,13 +1,11 @@
 #pragma once
 
-#include <ricochet/contact/maxwell_arms.hpp>
 #include <ricochet/contact/mean_force.hpp>
 #include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/engine/implicit_force.hpp>
 #include <ricochet/motion/engine/memory_slots.hpp>
 
 #include <algorithm>
-#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -77,15 +75,6 @@ class NormalContacts {
   virtual void restore(ContactState& contact, std::span<const double> values) = 0;
 };
 
-/// A law whose memory moves as those of MaxwellArms: none that stretches its arms in another way.
-template <class Law>
-concept MovesAsArms = requires {
-  { &Law::advance } -> std::same_as<decltype(&MaxwellArms::advance)>;
-  { &Law::force } -> std::same_as<decltype(&MaxwellArms::force)>;
-  { &Law::stored_energy } -> std::same_as<decltype(&MaxwellArms::stored_energy)>;
-  { &Law::dissipated_power } -> std::same_as<decltype(&MaxwellArms::dissipated_power)>;
-};
-
 template <ContactLaw Law>
 class NormalContactsOf final : public NormalContacts {
  public:
@@ -113,7 +102,10 @@ class NormalContactsOf final : public NormalContacts {
   void forget(const ContactState& c) override { memories_.give_back(c.slot); }
 
   void prepare(const NormalBatch& batch) override {
-    for (const std::uint32_t k : batch.members) {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t n = 0; n < batch.members.size(); ++n) {
+      if (n + ahead < batch.members.size()) memories_.fetch(batch.contacts[batch.members[n + ahead]].slot);
+      const std::uint32_t k = batch.members[n];
       ContactState& c = batch.contacts[k];
       NormalRow& row = batch.row(k);
       if (c.fresh) {
