@@ -148,6 +148,7 @@ void clusters() {
   packed("cluster_fractional", Fractional(1e5, 3, 0.2), smooth);
   packed("cluster_linear_friction", Linear(1e5, 15), rough);
   packed("cluster_linear_springs", Linear(1e5, 3), Friction(0.5, 0.5, 0), LinearTangential(3e4, 1));
+  packed("cluster_fractional_springs", Fractional(1e5, 3, 0.2), Friction(0.5, 0.5, 0), LinearTangential(3e4, 1));
 }
 
 }  // namespace

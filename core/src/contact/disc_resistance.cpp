@@ -36,7 +36,8 @@ std::optional<DiscFriction> by_newton(Speeds start, double alpha, double beta, d
     const double on = next - lambda;
     if (std::abs(on) <= small * lambda || !(next > 1 / (far * far) && next < far * far)) {
       const double force = f.force + f.slope * on, torque = f.torque - lambda * f.slope * on;
-      const bool slides = start.x - alpha * force > 0 && start.y - beta * torque > 0;
+      // Of one sign, but for rounding where one of them is next to nothing beside the other.
+      const bool slides = start.x - alpha * force > 0 || start.y - beta * torque > 0;
       return slides ? std::optional(DiscFriction{force, torque}) : std::nullopt;
     }
     lambda = next;
