@@ -71,8 +71,17 @@ bool same_value(const Json& a, const Json& b, double allowed) {
   return greater <= rounding || std::abs(x - y) <= allowed * greater;
 }
 
+/// Of two bounds on either side of a value: they may lie close together, where two per cent of them are much.
+bool same_width(const Json& a, const Json& b) {
+  const auto width = [](const Json& bound) { return bound.at(1).get<double>() - bound.at(0).get<double>(); };
+  if (!a.is_array() || a.size() != 2 || !b.is_array() || b.size() != 2) return true;
+  if (!a[0].is_number() || !a[1].is_number() || !b[0].is_number() || !b[1].is_number()) return true;
+  return same(width(a), width(b));
+}
+
 bool same_gate(Json a, Json b) {
   if (!a.is_object() || !b.is_object()) return same(a, b);
+  if (!same_width(a.at("bound"), b.at("bound"))) return false;
   const bool values = same_value(a.at("value"), b.at("value"), b.at("kind") == "at_most" ? half : tenth);
   a.erase("value"), b.erase("value");
   return values && same(a, b);

@@ -70,6 +70,17 @@ TEST_CASE("data without error give their law back") {
   }
 }
 
+TEST_CASE("losses that no end by overlap knows are fitted where contacts end by force") {
+  for (const LawKind kind : {kind_of<Linear>, kind_of<Tsuji>}) {
+    std::vector<Measurement> data;
+    for (const double v : speeds(5)) data.push_back({v, 0.05, 0.001});
+    const Fit fit = fit_law({kind, ContactEnd::force, mass}, data);
+    CAPTURE(kind.name());
+    CHECK(predict(fit, 0.3).en == Approx(0.05).epsilon(1e-6));
+    for (const std::string& finding : fit.findings) CHECK(finding.find("end of its range") == std::string::npos);
+  }
+}
+
 TEST_CASE("without times the combination that sets the restitution is what is told") {
   std::mt19937_64 random(2);
   const auto only = [&](const Truth& truth) {

@@ -158,6 +158,12 @@ TEST_CASE("mu alone is not told where a spring fits far better, and springs that
   CHECK(fit.parameters.size() == 2);
   REQUIRE(fit.findings.size() == 1);
   CHECK(fit.findings[0].starts_with("another spring fits about as well: k_t/k = "));
+  // Two standard errors: chi2 falls by 10 where sigma is 0.0105, by 2.7 where it is 0.02.
+  const auto parameters = [](double sigma) {
+    return fit_oblique(elastic(), at_angles({{15, 0.5796}, {25, 0.7232}, {40, 0.8477}}, sigma)).parameters.size();
+  };
+  CHECK(parameters(0.0105) == 2);
+  CHECK(parameters(0.02) == 1);
 }
 
 TEST_CASE("an undamped contact fitted with a dashpot: beta0 at the end of its range, in words", "[oblique-fit]") {

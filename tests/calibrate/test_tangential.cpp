@@ -77,6 +77,7 @@ TEST_CASE("Mindlin's spring for beta0, or of moduli with a dashpot for it", "[ta
           .k_t();
   const auto free = found({.form = TangentialForm::mindlin, .mindlin = of_moduli}, normal(kind_of<Tsuji>));
   CHECK(free.beta0 == Approx(0.3).margin(1e-8));
+  CHECK(free.achieved == free.beta0);
   const auto damped =
       found({.form = TangentialForm::mindlin, .beta0 = 0.1, .mindlin = of_moduli}, normal(kind_of<Tsuji>));
   CHECK(std::get<MindlinTangential>(damped.law).k_t() == of_moduli);

@@ -182,6 +182,8 @@ TEST_CASE("Coming off is not getting clear") {
 
 TEST_CASE("What a load may not be") {
   CHECK_THROWS_WITH(collide_under_load(Linear(1, 0), impact, -1), "load = -1: must be finite and >= 0");
+  CHECK_THROWS_WITH(collide_under_load(Linear(1, 0), impact, std::numeric_limits<double>::infinity()),
+                    "load = inf: must be finite and >= 0");
   CHECK_THROWS_WITH(collide_under_load(Fractional(1, 1, 1.2), impact, 1),
                     "alpha = 1.2: must be in [0, 1) under a load");
 }

@@ -39,3 +39,14 @@ TEST_CASE("along every path the rate is that of the overlap, and the slope that 
   check_derivatives(FractionalHertz(5e5, 5000, 0.5));
   check_derivatives(FractionalZener(2000, 5000, 1e-5, 0.5));
 }
+
+TEST_CASE("the last overlap of a rebound is that of its spring") {
+  // (v/w) sin(w rest), w = √(k/m), with the rest of the time 0.08⁴ π/(2w).
+  const Hysteretic law(5000, 5000);
+  const Impact impact{0.4, 3e-6};
+  const auto path = collision::normal_path(law, impact, collide(law, impact));
+  const collision::NormalInstant late = path->at(2 - 0.08, false);
+  const double w = std::sqrt(5000 / 3e-6), rest = std::pow(0.08, 4) * std::acos(0.0) / w;
+  CHECK(late.overlap == Approx(0.4 / w * std::sin(w * rest)).epsilon(1e-6));
+  CHECK(late.rate == Approx(-0.4).epsilon(1e-8));
+}

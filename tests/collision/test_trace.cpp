@@ -1,3 +1,5 @@
+#include "../../docs/examples/standard_solid.hpp"
+
 #include <ricochet/collision/trace.hpp>
 
 #include <catch2/catch.hpp>
@@ -17,6 +19,7 @@ TEST_CASE("A trace ends where the collision does, to second order") {
   check(Linear(5225, 0.0981));
   check(KuwabaraKono(1392000, 33.885));
   check(Hysteretic(3924, 15697));
+  check(StandardSolid(7000, 7000, 2e-5));
 }
 
 TEST_CASE("A trace of nothing is refused by name") {

@@ -46,6 +46,14 @@ TEST_CASE("a manual page and a completion know a program's commands and their op
   CHECK(has(*completion(program.app, "fish"), "-n __fish_use_subcommand -a run -d 'Runs: once'"));
 }
 
+TEST_CASE("a flag takes no value, in no shell and on no page") {
+  Program program;
+  program.app.add_flag("--wall", "a wall");
+  CHECK(has(man_page(program.app), "\n.TP\n\\fB\\-\\-wall\\fR\na wall\n"));
+  CHECK(has(*completion(program.app, "zsh"), "'--wall[a wall]'"));
+  CHECK(has(*completion(program.app, "fish"), "complete -c try -l wall -d 'a wall'"));
+}
+
 TEST_CASE("shells are offered the words that a description lists, and paths") {
   Program program;
   const std::string bash = *completion(program.app, "bash");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,14 @@ DiscFriction disc_quadrature(double lambda) {
 }
 
 }  // namespace
+
+TEST_CASE("friction falls from static to dynamic as Eq. (35) says") {
+  const Friction friction(0.6, 0.2, 3);
+  CHECK(friction.coefficient(0) == Approx(0.6).epsilon(1e-15));
+  CHECK(friction.coefficient(0.5) == Approx(0.2 + 0.4 * 0.22313016014842982).epsilon(1e-15));  // e^-1.5
+  CHECK(friction.coefficient(100) == Approx(0.2).epsilon(1e-15));
+  CHECK_THROWS_AS(Friction(std::numeric_limits<double>::infinity(), 0.3, 0), std::invalid_argument);
+}
 
 TEST_CASE("F and torque of the sliding, spinning disc equal the disc integral") {
   for (double lambda : {1e-3, 0.1, 0.3, 0.4999, 0.5, 0.7, 0.9, 1.1, 1.5, 1.9999, 2.0, 2.0001, 3.0, 10.0, 50.0}) {

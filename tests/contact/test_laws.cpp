@@ -79,6 +79,11 @@ TEST_CASE("the mean of a force over a step is its integral") {
   check_mean_force(Linear(5000, 0.1));
   check_mean_force(KuwabaraKono(1.4e6, 34));
   check_mean_force(Tsuji(1.4e6, 2));
+  // Past the greatest overlap so far, where 4 N are reached: a third of the way from 2 N to 4 N, the rest on to 5 N.
+  const Hysteretic bent(1000, 4000);
+  const Hysteretic::Memory pressed{4e-3};
+  CHECK(mean_force(bent, 3.5e-3, 1.5, pressed, 1e-3) == Approx(4).epsilon(1e-14));
+  CHECK(mean_force(bent, 5e-3, -1.5, pressed, 1e-3) == Approx(4).epsilon(1e-14));
 }
 
 TEST_CASE("a fractional law of order 0 is its k, of order 1 its c") {

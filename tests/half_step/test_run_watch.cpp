@@ -62,6 +62,7 @@ TEST_CASE("only pairs lighter than those of their kind before are looked at") {
 TEST_CASE("an overlap of a tenth of the radius is said once a run") {
   RunWatch watch = in_run();
   CHECK_FALSE(watch.is_soft(0.099, 1));
+  CHECK_FALSE(watch.is_soft(0.15, 2));
   REQUIRE(watch.is_soft(0.202, 2));
   CHECK(watch.soft(0.202, 2).text.find("10.1 % of the smaller radius") != std::string::npos);
   CHECK_FALSE(watch.is_soft(0.5, 1));

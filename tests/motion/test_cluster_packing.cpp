@@ -183,6 +183,8 @@ TEST_CASE("contacts that come and go stay in order, each with its law, as if the
     const ClusterState one = going.state(), other = restored.state();
     REQUIRE(one.half_positions == other.half_positions);
     REQUIRE(one.spins == other.spins);
+    REQUIRE(one.lost_normal == other.lost_normal);
+    REQUIRE(one.lost_friction == other.lost_friction);
     const auto now = pairs_of(one);
     REQUIRE(now == pairs_of(other));
     REQUIRE(std::is_sorted(now.begin(), now.end()));

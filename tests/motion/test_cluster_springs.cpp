@@ -141,6 +141,20 @@ TEST_CASE("an oblique impact on springs is met at second order, sticking, slidin
   CHECK(e.mean[3] < 3e-4);
 }
 
+TEST_CASE("contacts stepped side by side move as those stepped one by one, of which springs against turning make them") {
+  const LinearTangential law(k_t, 4);
+  ClusterSetup drum = skew(true, 0.092, law);
+  drum.walls = {{.inward = {0, 1, 0}, .form = surface::Cylinder{0.01}}};
+  drum.spheres[0].position = {0, 0, -0.01 + r + gap};
+  for (const ClusterSetup& setup : {skew(true, 0.092, law), skew(true, 0.5, law), skew(false, 0.092, law), drum}) {
+    ClusterSetup one_by_one = setup;
+    one_by_one.interactions.at({0, 0}).torsion = {Torsion::Limit::separate, {1e-30, 0}};
+    const Motion a = after_meeting(setup, tcol / 50), b = after_meeting(one_by_one, tcol / 50);
+    CHECK(norm(a.velocity - b.velocity) < 1e-12 * speed);
+    CHECK(r * norm(a.spin - b.spin) < 1e-12 * speed);
+  }
+}
+
 TEST_CASE("a sphere that meets a wall tends to the exact oblique collision with the same contact point") {
   const double stiff = 0.3 * k_t * r * r;
   struct Case {

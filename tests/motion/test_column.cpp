@@ -344,6 +344,27 @@ TEST_CASE(
   CHECK(energy_ratio(8, 1e-6, law, silent) > 0.5);
 }
 
+TEST_CASE("Beads that approach by next to nothing while they still touch are at rest", "[column]") {
+  const auto end = [](double negligible) {
+    ColumnOptions o = options(200, ContactEnd::force);
+    o.negligible_approach = negligible;
+    return run_column(equal_column(1, mass, 1e-6, velocity), linear(mass, 0.2), linear(mass / 2, 0.2), o).end;
+  };
+  // The force is gone at 0.16 m/s, some 50 steps before the overlap is.
+  CHECK(end(0.5) == ColumnEnd::resting);
+  CHECK(end(1e-9) == ColumnEnd::separated);
+}
+
+TEST_CASE("A bead that falls gains energy and has not broken down", "[column]") {
+  Column column = equal_column(1, mass, 1, velocity);
+  column.gravity = 9.81;
+  const Linear law = linear(mass, 0.3);
+  const ColumnResult r = run_column(column, law, law, {.step = tcol / 100, .duration = 0.1});
+  CHECK(r.end == ColumnEnd::out_of_time);
+  CHECK(r.velocity[0] == Approx(-1.481).epsilon(1e-4));  // −0.5 m/s − g·0.1 s
+  CHECK(r.energy_ratio == Approx(1.481 * 1.481 / 0.25).epsilon(1e-4));
+}
+
 TEST_CASE("Under gravity a bead comes to rest where its weight is carried", "[column]") {
   const Linear law = linear(mass, 0.3);
   Column column = equal_column(1, mass, 1e-7, 0);

@@ -133,6 +133,22 @@ TEST_CASE("a turning drum and a swinging plane move a sphere with order 2, and t
     }
 }
 
+TEST_CASE("a turning drum turns about its own axis, wherever that is") {
+  const auto end = [](Vec3 place) {
+    Wall wall{.point = place, .inward = {0, 1, 0}, .form = surface::Cylinder{0.05}, .motion = {.spin = 6}};
+    const ClusterSetup setup =
+        on_wall(wall, place + Vec3{0, 0, -0.05}, 2e4, Friction(0.2, 0.2, 0, 0), 0.2);
+    Cluster cluster(setup, steps_of(2e-5));
+    cluster.advance(2000);
+    return cluster;
+  };
+  const Cluster here = end({}), there = end({1, 2, -3});
+  CHECK(norm(here.velocity(0)) > 0.01);
+  CHECK(norm(here.velocity(0) - there.velocity(0)) < 1e-9);
+  CHECK(r * norm(here.spin(0) - there.spin(0)) < 1e-9);
+  CHECK(there.energy().wall_work == Approx(here.energy().wall_work).epsilon(1e-6));
+}
+
 TEST_CASE("cones, rings and plates are met at their nearest point, edges included") {
   const auto gap = [](const Wall& wall, Vec3 x) {
     const ContactGeometry met = motion::Surface(wall).meet(x, r, 0);

@@ -120,6 +120,7 @@ TEST_CASE("verify engines: oblique impacts are held to a thousandth and to first
   CHECK(failing(oblique(true, 1, 0, 1.01e-3)) == ours);
   CHECK(failing(oblique(true, 1, 1.01e-3, 0)) == rule);
   CHECK(failing(oblique(false, 1, 0, 1.01e-3)).empty());
+  CHECK(failing(oblique(false, 1, 0, 0.2)).empty());  // held to its own rule, however far ours is
   CHECK(failing(oblique(false, 1, 0, 0.99e-3)) == another);
   for (const double inside : {0.71, 1.29}) CHECK(failing(oblique(true, inside, 0, 0)).empty());
   for (const double outside : {0.69, 1.31}) CHECK(failing(oblique(true, outside, 0, 0)) == order);

@@ -116,6 +116,9 @@ TEST_CASE("what a user asks for is what is measured, and a wrong word is refused
   CHECK(selected({"--summary"}).summary_only());
   const Selection one = selected({"--scheme", "B, fine", "--alpha", "0.2,0.3", "--steps", "10,30,90"});
   CHECK_FALSE(one.everything());
+  for (const auto& [option, value] : {std::pair("--scheme", "A"), std::pair("--function", "t"),
+                                      std::pair("--alpha", "0.2"), std::pair("--steps", "10,20,40")})
+    CHECK_FALSE(selected({option, value}).everything());
   CHECK(one.scheme("B, fine"));
   CHECK_FALSE(one.scheme("A"));
   CHECK(one.function("t"));

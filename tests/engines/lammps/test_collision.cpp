@@ -23,6 +23,10 @@ std::string types_of_pairs() {
     const std::string type = std::to_string(m + 1);
     text += pair_coeff(type + " " + type, target(tcol, restitutions[m]));
   }
+  // None of these meet: they may not change what others keep.
+  for (std::size_t m = 1; m <= restitutions.size(); ++m)
+    for (std::size_t n = m + 1; n <= restitutions.size(); ++n)
+      text += pair_coeff(std::to_string(m) + " " + std::to_string(n), target(tcol, 0.6));
   return text;
 }
 
