@@ -1,3 +1,4 @@
+#include "../runs/deck_run.hpp"
 #include "../runs/examples.hpp"
 
 #include <catch2/catch.hpp>
@@ -21,4 +22,8 @@ TEST_CASE("decks for the LAMMPS of Debian 13 are said to be") {
     CHECK(said.find("is for the LAMMPS of Debian 13 (4 Feb 2025)") != std::string::npos);
     CHECK(said.find("see examples/lammps/debian12") != std::string::npos);
   }
+  // By each word that this version does not know, wherever it stands.
+  const Workplace place("words_of_2025");
+  CHECK(place.run("units si\ncompute energy all fractional/energy\n") != 0);
+  CHECK(place.output().find("lammps-ricochet: fractional/energy: is for the LAMMPS of Debian 13") != std::string::npos);
 }
