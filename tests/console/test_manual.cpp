@@ -48,7 +48,7 @@ TEST_CASE("a manual page and a completion know a program's commands and their op
 
 TEST_CASE("a flag takes no value, in no shell and on no page") {
   Program program;
-  program.app.add_flag("--wall", "a wall");
+  program.app.add_flag("--wall")->description("a wall");
   CHECK(has(man_page(program.app), "\n.TP\n\\fB\\-\\-wall\\fR\na wall\n"));
   CHECK(has(*completion(program.app, "zsh"), "'--wall[a wall]'"));
   CHECK(has(*completion(program.app, "fish"), "complete -c try -l wall -d 'a wall'"));

@@ -7,6 +7,7 @@
 #                             which it builds there
 # debian13.sh driver TEST     builds lammps-ricochet there and runs this test program with it
 # debian13.sh lmp COMMAND…    runs a command for which `lmp` is that LAMMPS
+# debian13.sh lammps-ricochet COMMAND…   builds that there and runs a command for which it is `lammps-ricochet`
 # debian13.sh yade COMMAND…   runs a command for which `yade` is that of Debian 13 (2025.2.0), if it is installed there
 # debian13.sh shell COMMAND   runs a command in the checkout's copy there, once the driver is built: for benchmarks
 # The system is in $RICOCHET_DEBIAN13, by default /var/tmp/ricochet-debian-13, outside of every checkout, and stays for
@@ -72,8 +73,8 @@ build_driver() {
 }
 
 ((EUID == 0)) || skip "only root can enter the system in $system"
-[[ $task == make || ($task =~ ^(verify|driver|lmp|yade|shell)$ && $argument) ]] ||
-  { sed -n 's/^# //; 4,11p' "$0" >&2; exit 2; }
+[[ $task == make || ($task =~ ^(verify|driver|lmp|lammps-ricochet|yade|shell)$ && $argument) ]] ||
+  { sed -n 's/^# //; 4,12p' "$0" >&2; exit 2; }
 mkdir -p "$(dirname "$system")"
 exec 9>"$system.lock"
 flock 9
@@ -118,6 +119,12 @@ case $task in
     ;;
   lmp | yade)
     write_wrapper "$task" "exec $task \"\$@\""
+    shift
+    TMPDIR=$scratch PATH=$work:$PATH "$@"
+    ;;
+  lammps-ricochet)
+    build_driver
+    write_wrapper "$task" 'exec /root/ricochet/build/lammps/bin/lammps-ricochet "$@"'
     shift
     TMPDIR=$scratch PATH=$work:$PATH "$@"
     ;;
