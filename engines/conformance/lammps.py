@@ -65,11 +65,18 @@ def is_fractional(law: Optional[Law]) -> bool:
     return law is not None and law.name.startswith("fractional")
 
 
+def greatest_speed(case: Case) -> float:
+    """Of one body past another or a wall, at the start."""
+    velocities = [body.velocity for body in case.bodies]
+    return max(math.dist(a, b) for a in velocities for b in velocities + [(0.0, 0.0, 0.0)] * len(case.walls))
+
+
 def fractional(case: Case, law: Law) -> str:
-    """Stiffness, damping and degree, or what the law has in their place, by the names of 2025."""
+    """Stiffness, damping and degree, or what the law has in their place, by the names of 2025; of fractional/hertz the
+    speed that its collisions are meant for as well."""
     name = law.name.replace("-", "/", 1).replace("-", "_")
-    return (f"{name} {' '.join(map(repr, law.parameters.values()))} "
-            f"damping fractional/memory {4 * case.time_scale!r}")
+    values = [*law.parameters.values(), *([greatest_speed(case)] if law.name == "fractional-hertz" else [])]
+    return f"{name} {' '.join(map(repr, values))} damping fractional/memory {4 * case.time_scale!r}"
 
 
 def normal(law: Law, mass: float, radius: float, date: int) -> str:

@@ -93,7 +93,7 @@ void Cluster::add(std::span<const Sphere> spheres) {
   renumber_walls(there);
   sum_drags();
   neighbours_ = NeighbourList(radii_, neighbours_.skin(), periodic_.period);
-  candidates_.clear(), closed_.clear();
+  candidates_.clear(), closed_.clear(), ranges_.clear();
   state_.brought += energy().mechanical() - before;
 }
 
@@ -133,7 +133,7 @@ void Cluster::remove(std::span<const std::uint32_t> leaving) {
   group_contacts();
   sum_drags();
   neighbours_ = NeighbourList(radii_, neighbours_.skin(), periodic_.period);
-  candidates_.clear(), closed_.clear();
+  candidates_.clear(), closed_.clear(), ranges_.clear();
   state_.brought += energy().mechanical() - before;
 }
 

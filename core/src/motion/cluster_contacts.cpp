@@ -72,7 +72,7 @@ inline bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
 }
 
 void Cluster::find_touching() {
-  if (neighbours_.update(state_.half_positions) || walls_moved()) list_candidates();
+  if (neighbours_.update(state_.half_positions) || walls_moved() || ranges_.empty()) list_candidates();
   each_range([this](Range& range) {
     range.changed.clear();
     for (std::size_t k = range.first_candidate; k < range.last_candidate; ++k)
