@@ -141,7 +141,8 @@ TEST_CASE("an oblique impact on springs is met at second order, sticking, slidin
   CHECK(e.mean[3] < 3e-4);
 }
 
-TEST_CASE("contacts stepped side by side move as those stepped one by one, of which springs against turning make them") {
+// Springs against turning, however weak, are stepped one by one.
+TEST_CASE("contacts stepped side by side move as those stepped one by one do") {
   const LinearTangential law(k_t, 4);
   ClusterSetup drum = skew(true, 0.092, law);
   drum.walls = {{.inward = {0, 1, 0}, .form = surface::Cylinder{0.01}}};

@@ -136,8 +136,7 @@ TEST_CASE("a turning drum and a swinging plane move a sphere with order 2, and t
 TEST_CASE("a turning drum turns about its own axis, wherever that is") {
   const auto end = [](Vec3 place) {
     Wall wall{.point = place, .inward = {0, 1, 0}, .form = surface::Cylinder{0.05}, .motion = {.spin = 6}};
-    const ClusterSetup setup =
-        on_wall(wall, place + Vec3{0, 0, -0.05}, 2e4, Friction(0.2, 0.2, 0, 0), 0.2);
+    const ClusterSetup setup = on_wall(wall, place + Vec3{0, 0, -0.05}, 2e4, Friction(0.2, 0.2, 0, 0), 0.2);
     Cluster cluster(setup, steps_of(2e-5));
     cluster.advance(2000);
     return cluster;

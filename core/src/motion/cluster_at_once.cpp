@@ -132,7 +132,10 @@ inline ContactGeometry Cluster::geometry_of(const ContactState& c) const noexcep
 }
 
 void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& space) {
-  auto& [geometries, rows, passed, slides] = space;
+  auto& geometries = space.geometries;
+  auto& rows = space.rows;
+  auto& passed = space.passed;
+  motion::Slides& slides = space.slides;
   for (std::uint32_t k = first; k < last; ++k) {
     const ContactState& c = state_.contacts[k];
     if (k + 8 < last) motion::fetch(motions_[state_.contacts[k + 8].record.j]);

@@ -191,7 +191,7 @@ class Cluster {
   };
   // What a range's contact passes to a body.
   struct Gain {
-    std::uint32_t body;
+    std::uint32_t body = 0;
     Vec3 linear, turning;
   };
   struct Losses {
