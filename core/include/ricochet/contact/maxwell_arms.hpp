@@ -79,10 +79,10 @@ class MaxwellArms {
 
   std::size_t arms_ = 0;
   double step_ = 0;
-  double step_gain_ = 0, step_gain_before_ = 0;  // of the force after step_ from the rates at its ends [N s/m]
-  double spring_ = 0;                                                    // [N/m]
-  double dashpot_ = 0;                                                   // [N s/m]
-  std::array<double, max_arms> stiffness_{}, rate_{};                    // of each arm [N/m], [1/s]
+  double step_gain_ = 0, step_gain_before_ = 0;        // of the force after step_ from the rates at its ends [N s/m]
+  double spring_ = 0;                                  // [N/m]
+  double dashpot_ = 0;                                 // [N s/m]
+  std::array<double, max_arms> stiffness_{}, rate_{};  // of each arm [N/m], [1/s]
   std::array<double, max_arms> decay_{}, gain_before_{}, gain_after_{};  // over step_
   std::array<double, max_arms> held_{};                                  // of an elongation in the force after step_
 };
