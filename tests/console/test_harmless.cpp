@@ -9,7 +9,7 @@ TEST_CASE("control characters of ASCII and of Latin-1's second set are found, ot
   for (const std::string text : {"\x1b[2J", "\x7f", "a\tb", "\x01",
                                  "\xc2\x9b"
                                  "31m",
-                                 "\xc2\x80"}) {
+                                 "\xc2\x80", "\xc2\x9f"}) {
     CAPTURE(text);
     CHECK(has_controls(text));
     CHECK_FALSE(is_harmless(text));

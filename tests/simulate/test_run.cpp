@@ -24,6 +24,34 @@ Scene bounce(const std::string& duration) {
   return read_scene("bounce.json", text.replace(text.find(was), was.size(), "\"duration\": " + duration));
 }
 
+/// What a run says of an output that it cannot write in a process with this limit; "" where it can.
+std::string refused_within(int resource, rlim_t most, const Scene& scene, const std::string& folder, Format format) {
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{most, most};
+    ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
+    try {
+      run(
+          scene, folder, false, [] {}, format);
+    } catch (const console::CannotWrite& error) {
+      const std::string what = error.what();
+      ::_exit(::write(ends[1], what.data(), what.size()) < 0);
+    }
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  std::string what(1000, '\0');
+  what.resize(std::max<ssize_t>(0, ::read(ends[0], what.data(), what.size())));
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(status == 0);
+  return what;
+}
+
 }  // namespace
 
 TEST_CASE("an interrupted run, resumed, gives the bytes of one that was never stopped") {
@@ -88,26 +116,25 @@ TEST_CASE("a run that cannot begin leaves nothing, so that another can") {
   for (const Format format : {Format::xyz, Format::vtk})
     for (const int files : {0, 1, 2, 3}) {  // that can be opened at once; a fourth one is needed, the state's
       CAPTURE(files);
-      const pid_t child = ::fork();
-      if (child == 0) {
-        const rlimit limit{rlim_t(next + files), rlim_t(next + files)};
-        ::setrlimit(RLIMIT_NOFILE, &limit);
-        try {
-          run(
-              scene, folder.path() / "a/b", false, [] {}, format);
-        } catch (const console::CannotWrite& error) {
-          ::_exit(std::string(error.what()).find(": cannot write: Too many open files") != std::string::npos ? 7 : 8);
-        }
-        ::_exit(9);
-      }
-      int status = 0;
-      ::waitpid(child, &status, 0);
-      CHECK(WEXITSTATUS(status) == 7);
+      CHECK_THAT(refused_within(RLIMIT_NOFILE, rlim_t(next + files), scene, folder.path() / "a/b", format),
+                 Catch::Contains(": cannot write: Too many open files"));
       CHECK(fs::is_empty(folder.path()));
     }
   fs::create_directory(folder.path() / "c");
   fs::create_symlink("nowhere", folder.path() / "c/energy.csv");
   CHECK_THROWS_WITH(run(scene, folder.path() / "c", false), Catch::Contains("holds energy.csv without the state.json"));
+}
+
+TEST_CASE("frames whose first state cannot be written are taken back") {
+  const TemporaryFolder folder;
+  const Scene scene = bounce("0.01");
+  REQUIRE(run(
+              scene, folder.path() / "whole", false, [] {}, Format::vtk) == 0);
+  const auto frame = fs::file_size(folder.path() / "whole/vtk/spheres.000000.vtk");
+  REQUIRE(frame < fs::file_size(folder.path() / "whole/state.json"));
+  CHECK_THAT(refused_within(RLIMIT_FSIZE, frame, scene, folder.path() / "none", Format::vtk),
+             Catch::Contains("state.json: cannot write: File too large"));
+  CHECK_FALSE(fs::exists(folder.path() / "none"));
 }
 
 TEST_CASE("a run does not overwrite another, nor continue one of another scene") {

@@ -7,6 +7,7 @@
 #include <ricochet/collision/damping_ratio.hpp>
 #include <ricochet/collision/reduction.hpp>
 #include <ricochet/collision/scale_and_loss.hpp>
+#include <ricochet/collision/tangential_restitution.hpp>
 
 #include <cmath>
 #include <numbers>

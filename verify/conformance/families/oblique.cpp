@@ -9,20 +9,10 @@ namespace {
 // So slow that the overlap is 2e-5 of the radius: where the force acts is of no account.
 constexpr double radius = 1.5e-3, density = 1000, slow = 1e-3, tcol = 1e-4, en = 0.8, mu = 0.3;
 
-/// Walton's solid sphere: 1/m + r²/J = 7/(2 m).
-double sticking_mass(double mass) { return 2.0 / 7 * mass; }
-
-/// Undamped, half a reversal (β₀ = 1/2): T. Becker and others.
-LinearTangential half_reversed(double mass) {
-  const double rate = std::acos(-0.5) / tcol;
-  return LinearTangential(sticking_mass(mass) * rate * rate);
-}
-/// Damped, a half swing in t_col with β₀ = 1/2.
-LinearTangential damped(double mass) {
-  const double loss = std::log(2), pi = std::numbers::pi;
-  return LinearTangential(sticking_mass(mass) * (pi * pi + loss * loss) / (tcol * tcol),
-                          2 * sticking_mass(mass) * loss / tcol);
-}
+/// Half a reversal: T. Becker and others.
+LinearTangential half_reversed(double mass) { return tangential_for(0.5, tcol, mass, StickingForm::undamped); }
+/// A half swing in t_col: N. G. Deen and others.
+LinearTangential damped(double mass) { return tangential_for(0.5, tcol, mass, StickingForm::damped); }
 
 constexpr const char* deen =
     "k_t and c_t: N. G. Deen et al., Chem. Eng. Sci. 62, 28 (2007); where it slides our own rule, "

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ricochet::verify::engines {
 
@@ -148,12 +147,10 @@ class OwnFormulas {
 
   void add(std::vector<Contact>& contacts, const char* id, const std::string& snippet) const {
     const PeerDamping& p = peer(id);
-    const double beta = p.damping_ratio(asked), loss = -std::log(asked), m = two_spheres().mass_eff();
+    const double beta = p.damping_ratio(asked), m = two_spheres().mass_eff();
     const double hertz = young_eff * std::sqrt(two_spheres().radius_eff());
-    const AnyLaw law = p.law == PeerLaw::tsuji
-                           ? AnyLaw(Tsuji(hertz, beta * std::sqrt(5 * m * hertz)))
-                           : AnyLaw(Linear(m * (std::numbers::pi * std::numbers::pi + loss * loss) / (tcol * tcol),
-                                           2 * m * loss / tcol));
+    const AnyLaw law = p.law == PeerLaw::tsuji ? AnyLaw(Tsuji(hertz, beta * std::sqrt(5 * m * hertz)))
+                                               : calibrated(kind_of<Linear>, ContactEnd::overlap, asked, m);
     contacts.push_back({engine_, fmt::format("own: {}", id), snippet, p.end, asked, restitution_of_damping(beta, p.end),
                         0, law, two_spheres()});
   }

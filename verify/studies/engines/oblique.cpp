@@ -6,6 +6,7 @@
 #include <calibrate/calibration.hpp>
 #include <console/exit.hpp>
 #include <ricochet/collision/oblique.hpp>
+#include <ricochet/collision/tangential_restitution.hpp>
 
 #include <fmt/format.h>
 
@@ -40,20 +41,11 @@ struct Kind {
   Laws (*make)(const AnyLaw& normal, double mass_eff) = nullptr;
 };
 
-double sticking_mass(double mass_eff) { return 2.0 / 7 * mass_eff; }
-
-/// Undamped, half a reversal: k_t = (2/7)m (arccos(−β₀)/t_col)².
 Laws undamped(const AnyLaw& normal, double m) {
-  const double rate = std::acos(-beta0) / tcol;
-  return {normal, {LinearTangential(sticking_mass(m) * rate * rate), mu}};
+  return {normal, {tangential_for(beta0, tcol, m, StickingForm::undamped), mu}};
 }
-/// k_t = (2/7)m (π² + ln²β₀)/t_col², c_t = −2 (2/7)m ln β₀/t_col.
 Laws damped(const AnyLaw& normal, double m) {
-  const double loss = std::log(beta0), pi = std::numbers::pi;
-  return {normal,
-          {LinearTangential(sticking_mass(m) * (pi * pi + loss * loss) / (tcol * tcol),
-                            -2 * sticking_mass(m) * loss / tcol),
-           mu}};
+  return {normal, {tangential_for(beta0, tcol, m, StickingForm::damped), mu}};
 }
 /// k_t = 8 G*√R of the moduli that make k: k_t/k = 3 (1−ν)/(2−ν).
 Laws mindlin(const AnyLaw& normal, double) {

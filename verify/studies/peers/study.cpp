@@ -5,13 +5,13 @@
 
 #include <console/csv.hpp>
 #include <console/number.hpp>
+#include <ricochet/collision/reduction.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace ricochet::verify {
 
@@ -62,10 +62,8 @@ Table collision_times() {
                {"yade tc-en", "", {Notation::Kind::fixed, 6}}},
               "Collision time obtained over asked, where the engine takes it as input");
   constexpr double tcol = paper::pair.tcol;
-  const double m = impact.mass_eff;
   for (const double en : shown_restitutions) {
-    const double loss = -std::log(en);
-    const Linear law(m * (std::numbers::pi * std::numbers::pi + loss * loss) / (tcol * tcol), 2 * m * loss / tcol);
+    const AnyLaw law = at_impact(unit_law(kind_of<Linear>, en, ContactEnd::overlap).value().law, tcol, impact).value();
     const auto ratio = [&](ContactEnd end) {
       return collide(law, impact, {.end = end, .method = CollideMethod::numerical}).tcol / tcol;
     };
