@@ -143,6 +143,28 @@ TEST_CASE("conformance: tables and JSON of several engines") {
   CHECK(double(overlap["energy"]["limit"]) > double(overlap["energy"]["exact"]));
 }
 
+TEST_CASE("conformance: a grade says the orders that were to be expected") {
+  const EngineGrade yade = grades_of(read_results(stored + "/yade-2023.02a.csv", all_cases()));
+  const console::Table table = grade_table({yade});
+  const auto column = [&](const char* name) {
+    std::size_t k = 0;
+    while (table.columns().at(k).name != name) ++k;
+    return k;
+  };
+  const console::Json cases = to_json(yade)["cases"];
+  // Tsuji's force begins like ζ^(1/4) ζ', Kuwabara and Kono's like ζ^(1/2) ζ'.
+  for (const auto& [name, located, said] : {std::tuple("normal-linear-force", 2.0, "1 or 2"),
+                                            {"normal-tsuji-force", 1.25, "1 or 1.25"},
+                                            {"normal-kuwabara-kono-force", 1.5, "1 or 1.5"}}) {
+    CAPTURE(name);
+    std::size_t row = 0;
+    while (std::get<std::string>(table.rows().at(row)[column("case")]) != name) ++row;
+    CHECK(std::get<std::string>(table.rows()[row][column("order_expected")]) == said);
+    CHECK(cases.at(row).at("case") == name);
+    CHECK(cases.at(row).at("expected_order") == console::Json{{"leapfrog", 1.0}, {"located", located}});
+  }
+}
+
 namespace {
 
 /// "#rrggbb" of the badge's right half.

@@ -81,6 +81,8 @@ Json json(const Answer& a, const std::string& how) {
 
 }  // namespace
 
+Json to_json(const Orders& expected) { return {{"leapfrog", expected.leapfrog}, {"located", expected.located}}; }
+
 Json to_json(const Case& of) {
   Json bodies = Json::array(), walls = Json::array(), all = Json::array();
   for (const Body& b : of.bodies) bodies.push_back(json(b));
@@ -102,7 +104,7 @@ Json to_json(const Case& of) {
           {"steps", of.steps},
           {"duration", of.duration},
           {"answers", all},
-          {"expected_order", {{"leapfrog", of.orders.leapfrog}, {"located", of.orders.located}}}};
+          {"expected_order", to_json(of.orders)}};
 }
 
 }  // namespace ricochet::verify::conformance

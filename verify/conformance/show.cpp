@@ -1,5 +1,7 @@
 #include "show.hpp"
 
+#include "case_json.hpp"
+
 #include <console/number.hpp>
 
 #include <fmt/format.h>
@@ -33,6 +35,9 @@ console::Cell number_of(const Graded* g, double Graded::*member) {
   return g ? console::number_or_blank(g->*member) : console::blank();
 }
 
+/// Of the errors of the two usual steppings.
+std::string expected_of(const Case& c) { return fmt::format("{:g} or {:g}", c.orders.leapfrog, c.orders.located); }
+
 Json json(const Graded& g) {
   Json steps = Json::array(), errors = Json::array();
   for (std::size_t i = 0; i < g.error.size(); ++i)
@@ -65,8 +70,13 @@ Json json(const CaseGrade& grade) {
               {"uncertainty", grade.energy->uncertainty},
               {"coarsest", grade.energy->coarsest},
               {"finest", grade.energy->finest}};
-  return {{"case", grade.of->name}, {"family", grade.of->family}, {"verdict", text(grade.verdict)},
-          {"note", grade.note},     {"answers", answers},         {"energy", energy},
+  return {{"case", grade.of->name},
+          {"family", grade.of->family},
+          {"verdict", text(grade.verdict)},
+          {"note", grade.note},
+          {"expected_order", to_json(grade.of->orders)},
+          {"answers", answers},
+          {"energy", energy},
           {"causes", causes}};
 }
 
@@ -175,6 +185,7 @@ Table grade_table(const std::vector<EngineGrade>& engines) {
                {"limit", "", two},
                {"uncertainty", "", two},
                {"order", "", {Notation::Kind::fixed, 2}},
+               {"order_expected"},
                {"energy_exact", "", {Notation::Kind::fixed, 4}},
                {"energy_limit", "", {Notation::Kind::fixed, 4}},
                {"why"}},
@@ -189,7 +200,7 @@ Table grade_table(const std::vector<EngineGrade>& engines) {
                  w ? console::Cell(w->error.back()) : console::blank(),
                  w ? console::Cell(w->limit.value) : console::blank(),
                  w ? console::Cell(w->limit.uncertainty) : console::blank(), number_of(w, &Graded::order),
-                 c.energy ? console::Cell(c.energy->exact) : console::blank(),
+                 expected_of(*c.of), c.energy ? console::Cell(c.energy->exact) : console::blank(),
                  c.energy ? console::Cell(c.energy->limit) : console::blank(), why(c)});
     }
   return table;

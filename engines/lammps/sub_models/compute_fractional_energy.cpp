@@ -45,7 +45,7 @@ void ComputeFractionalEnergy::init() { energy_tally(lmp).stored_at = -1; }
 void ComputeFractionalEnergy::compute_vector() {
   invoked_vector = update->ntimestep;
   const auto& tally = energy_tally(lmp);
-  const double here[2] = {tally.stored_at == update->ntimestep ? tally.stored : 0.0,
-                          tally.dissipated - dissipated_before};
+  // Not const: the MPI of a LAMMPS that is built without one takes a void*.
+  double here[2] = {tally.stored_at == update->ntimestep ? tally.stored : 0.0, tally.dissipated - dissipated_before};
   MPI_Allreduce(here, vector, size_vector, MPI_DOUBLE, MPI_SUM, world);
 }

@@ -25,7 +25,7 @@ using console::Notation;
 using console::Table;
 
 std::string label(const Contact& what) {
-  return fmt::format("{}: {}, en {}", text(what.engine), what.name, what.en_asked);
+  return fmt::format("{}: {}, en {}", text(what.engine), what.name, console::significant(what.en_asked, 6));
 }
 
 Table results(const std::vector<Outcome>& outcomes) {
