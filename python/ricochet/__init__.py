@@ -31,13 +31,13 @@ def mittag_leffler(a: ArrayLike, b: ArrayLike, x: ArrayLike) -> Number:
     Relative error 1e-13 and 20 roundings of x.
     """
     np.broadcast(a, b, x)  # a ValueError where the shapes do not fit
-    return _core.mittag_leffler(a, b, x)
+    return _core._mittag_leffler(a, b, x)
 
 
 def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Number:
     """Estimate (57) of the collision time [s], of A = c^alpha k^(1-alpha)/m [s^(alpha-2)]."""
     np.broadcast(coefficient, alpha)
-    return _core.tcol_estimate(coefficient, alpha)
+    return _core._tcol_estimate(coefficient, alpha)
 
 
 def _broadcast(*values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple[int, ...]]:
@@ -46,8 +46,8 @@ def _broadcast(*values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple
     return [np.ascontiguousarray(a).ravel() for a in arrays], arrays[0].shape
 
 
-def _shaped(flat: NDArray[Any], shape: Tuple[int, ...]) -> Any:
-    return flat.reshape(shape) if shape else flat.reshape(-1)[0].item()
+def _shaped(flat: NDArray[Any], shape: Tuple[int, ...]) -> Number:
+    return flat.reshape(shape) if shape else float(flat.reshape(-1)[0])
 
 
 @dataclass(frozen=True)
@@ -72,13 +72,13 @@ def fractional_contact(alpha: ArrayLike, end: str = "force") -> FractionalContac
     Relative error 1e-12 by force, 1e-12 + 1e-15/en^2 by overlap.
     """
     (flat,), shape = _broadcast(alpha)
-    return FractionalContact(**{k: _shaped(v, shape) for k, v in _core.fractional_contact(flat, end).items()})
+    return FractionalContact(**{k: _shaped(v, shape) for k, v in _core._fractional_contact(flat, end).items()})
 
 
 def conversion_degree(en: ArrayLike, end: str = "force") -> Number:
     """The conversion degree alpha that keeps `en`, in (0, 1], of the velocity."""
     (flat,), shape = _broadcast(en)
-    return _shaped(_core.conversion_degree(flat, end), shape)
+    return _shaped(_core._conversion_degree(flat, end), shape)
 
 
 @dataclass(frozen=True)
@@ -125,7 +125,7 @@ def collide(
     a status, and its tcol, en and overlap_end are not a number.
     """
     flat, shape = _broadcast(velocity, mass_eff)
-    columns = _core.collide(law, *flat, end, method)
+    columns = _core._collide(law, *flat, end, method)
     status = np.array(columns.pop("status"), dtype=object)
     return Collision(_shaped_words(status, shape), **{k: _shaped(v, shape) for k, v in columns.items()})
 
@@ -148,10 +148,10 @@ def collide_obliquely(
     `arm` is "radius" or "contact_point" (the paper's, nearer by half the overlap or so). Relative error 1e-9.
     """
     other = ImpactBody.wall() if j is None else j
-    return ObliqueCollision(**_core.collide_obliquely(law, tangential, i, other, np.asarray(normal, float), end, arm))
+    return ObliqueCollision(**_core._collide_obliquely(law, tangential, i, other, np.asarray(normal, float), end, arm))
 
 
-_calibrator = _core.DirectCalibrator()
+_calibrator = _core._DirectCalibrator()
 
 
 def calibrate(
@@ -179,7 +179,8 @@ def calibrate(
         raise ValueError(f"unreachable = {unreachable}: must be raise or nan")
     held = np.nan if stiffness is None else stiffness
     flat, shape = _broadcast(tcol, en, velocity, mass_eff, held)
-    columns = _calibrator(law, end, *flat, alpha, stiffening, unreachable == "nan")
+    t, e, v, m, k = flat
+    columns = _calibrator(law, end, t, e, v, m, k, alpha, stiffening, unreachable == "nan")
     if shape:
         return {name: column.reshape(shape) for name, column in columns.items()}
     if any(np.isnan(column[0]) for column in columns.values()):
@@ -206,7 +207,7 @@ def fit(
     flat, _ = _broadcast(*given)
     columns = iter(flat[2:])
     rest = [empty if c is None else next(columns) for c in (en_sigma, tcol, tcol_sigma)]
-    return _core.fit(law, end, mass_eff, flat[0], flat[1], *rest)
+    return _core._fit(law, end, mass_eff, flat[0], flat[1], *rest)
 
 
 class Cluster:
@@ -241,16 +242,16 @@ class Cluster:
         bodies = [x, *(np.ascontiguousarray(np.broadcast_to(np.asarray(v, float), (n,))) for v in (radii, densities))]
         bodies += [np.ascontiguousarray(np.broadcast_to(np.asarray(v, float), (n, 3))) for v in (velocities, spins)]
         bodies.append(np.broadcast_to(np.asarray(materials, int), (n,)).tolist())
-        one = isinstance(interactions, Interaction)
-        if not one and not isinstance(interactions, Mapping):
+        by_pair = {(0, 0): interactions} if isinstance(interactions, Interaction) else interactions
+        if not isinstance(by_pair, Mapping):
             raise TypeError(f"interactions = {interactions!r}: must be an Interaction or a dict of them")
-        pairs = list({(0, 0): interactions}.items() if one else interactions.items())
+        pairs = list(by_pair.items())
         around = [pairs, list(walls), np.asarray(gravity, float)]
         if step is None:
-            step = _core.stiffest_contact(*bodies, *around) / 40
+            step = _core._stiffest_contact(*bodies, *around) / 40
         self.step = step  #: [s]
         self._never_pulls = all(how.end == "force" for _, how in pairs)
-        self._engine = _core.Cluster(*bodies, *around, np.asarray(period, float), step, threads, solver_tolerance)
+        self._engine = _core._Cluster(*bodies, *around, np.asarray(period, float), step, threads, solver_tolerance)
 
     def advance(self, steps: int) -> None:
         """Goes on by that many steps; RuntimeError where a number ceases to be finite."""
@@ -311,9 +312,8 @@ class Cluster:
 
 
 _made_here = (__name__, _core.__name__)
-_flat = ("DirectCalibrator", "stiffest_contact")
 __all__ = ["Law", "law_names", "engine_names"] + [
     name
     for name, what in globals().items()
-    if getattr(what, "__module__", None) in _made_here and not name.startswith("_") and name not in _flat
+    if getattr(what, "__module__", None) in _made_here and not name.startswith("_")
 ]

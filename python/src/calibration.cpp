@@ -158,8 +158,8 @@ void bind_fit(py::module_& m) {
           out += " " + e.name + "=" + spelled(e.value) + "(" + spelled(e.error) + ")";
         return out + ", chi2=" + spelled(fit.chi2) + ", observations=" + std::to_string(fit.observations) + ")";
       });
-  m.def("fit", [](const std::string& law, const std::string& end, double mass_eff, const Array& velocity,
-                  const Array& en, const Array& en_sigma, const Array& tcol, const Array& tcol_sigma) {
+  m.def("_fit", [](const std::string& law, const std::string& end, double mass_eff, const Array& velocity,
+                   const Array& en, const Array& en_sigma, const Array& tcol, const Array& tcol_sigma) {
     return fit_law({.law = kind_named(law), .end = end_of(end), .mass_eff = mass_eff},
                    measurements(velocity, en, en_sigma, tcol, tcol_sigma));
   });
@@ -168,7 +168,7 @@ void bind_fit(py::module_& m) {
 }  // namespace
 
 void bind_calibration(py::module_& m) {
-  py::class_<DirectCalibrator>(m, "DirectCalibrator").def(py::init<>()).def("__call__", &calibrate_all);
+  py::class_<DirectCalibrator>(m, "_DirectCalibrator").def(py::init<>()).def("__call__", &calibrate_all);
   py::register_exception<NotConverged>(m, "NotConverged", PyExc_RuntimeError);
   bind_fit(m);
 }

@@ -155,7 +155,7 @@ void advance(Cluster& cluster, std::uint64_t steps) {
 void bind_cluster(py::module_& m) {
   bind_walls(m);
   bind_interaction(m);
-  py::class_<Cluster>(m, "Cluster")
+  py::class_<Cluster>(m, "_Cluster")
       .def(py::init([](const Array& positions, const Array& radii, const Array& densities, const Array& velocities,
                        const Array& spins, const std::vector<std::size_t>& materials, const Pairs& interactions,
                        const std::vector<Wall>& walls, const Array& gravity, const Array& period, double step,
@@ -179,9 +179,9 @@ void bind_cluster(py::module_& m) {
       .def_property_readonly("angular_momentum", [](const Cluster& c) { return array_of(c.angular_momentum()); })
       .def_property_readonly("contacts", &contacts)
       .def("take_finished", &finished);
-  m.def("stiffest_contact", [](const Array& positions, const Array& radii, const Array& densities,
-                               const Array& velocities, const Array& spins, const std::vector<std::size_t>& materials,
-                               const Pairs& interactions, const std::vector<Wall>& walls, const Array& gravity) {
+  m.def("_stiffest_contact", [](const Array& positions, const Array& radii, const Array& densities,
+                                const Array& velocities, const Array& spins, const std::vector<std::size_t>& materials,
+                                const Pairs& interactions, const std::vector<Wall>& walls, const Array& gravity) {
     return stiffest_contact(setup(spheres(positions, radii, densities, velocities, spins, materials), interactions,
                                   walls, gravity, array_of(Vec3{})))
         .tcol;

@@ -102,6 +102,6 @@ Array array_of(std::span<const Vec3> rows) {
   return out;
 }
 
-void bind_collision(py::module_& m) { m.def("collide", &collide_all); }
+void bind_collision(py::module_& m) { m.def("_collide", &collide_all); }
 
 }  // namespace ricochet::python

@@ -61,19 +61,19 @@ void bind_kernel(py::module_& m) {
 }  // namespace
 
 void bind_fractional(py::module_& m) {
-  m.def("mittag_leffler", py::vectorize(&mittag_leffler));
+  m.def("_mittag_leffler", py::vectorize(&mittag_leffler));
   py::class_<MittagLeffler>(m, "MittagLeffler", "E_{a,b} prepared for many x at one (a, b).")
       .def(py::init<double, double>(), py::arg("a"), py::arg("b"))
       .def_property_readonly("a", &MittagLeffler::a)
       .def_property_readonly("b", &MittagLeffler::b)
       .def("__call__", py::vectorize(&MittagLeffler::operator()), py::arg("x"));
-  m.def("fractional_contact", &contacts);
-  m.def("conversion_degree", [](const Array& en, const std::string& word) {
+  m.def("_fractional_contact", &contacts);
+  m.def("_conversion_degree", [](const Array& en, const std::string& word) {
     const ContactEnd end = end_of(word);
     const auto all = view(en);
     return filled(all.size(), [&](std::size_t i) { return conversion_degree(all[i], end); });
   });
-  m.def("tcol_estimate", py::vectorize(&tcol_estimate));
+  m.def("_tcol_estimate", py::vectorize(&tcol_estimate));
   bind_kernel(m);
 }
 

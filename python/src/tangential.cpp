@@ -129,7 +129,7 @@ void bind_tangential(py::module_& m) {
   bind_parts(m);
   bind_contact(m);
   bind_oblique(m);
-  m.def("collide_obliquely", &collide_obliquely);
+  m.def("_collide_obliquely", &collide_obliquely);
 }
 
 }  // namespace ricochet::python

@@ -35,7 +35,7 @@ def test_wrong_parameters_are_named():
         ricochet.Linear("a", 1)
     for lengths in ((3, 2, 1, 1, 1), (2, 3, 2, 2, 2), (3, 3, 3, 3, 2)):
         with pytest.raises(ValueError, match="columns of different lengths"):
-            ricochet.DirectCalibrator()("linear", "force", *[np.ones(n) for n in lengths], 0.5, 100.0, True)
+            ricochet._core._DirectCalibrator()("linear", "force", *[np.ones(n) for n in lengths], 0.5, 100.0, True)
     with pytest.raises(ValueError, match="law = elastic: must be one of law_names"):
         ricochet.law("elastic", k=1)
     with pytest.raises(TypeError, match="law = 3: must be a contact law"):
