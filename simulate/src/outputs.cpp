@@ -24,11 +24,11 @@ namespace {
 
 using console::shortest;
 
-std::string spelled(Vec3 v) { return fmt::format("{} {} {}", shortest(v.x), shortest(v.y), shortest(v.z)); }
-
 std::string finite_or_empty(double value) { return std::isfinite(value) ? shortest(value) : ""; }
 
 }  // namespace
+
+std::string spelled(Vec3 v) { return fmt::format("{} {} {}", shortest(v.x), shortest(v.y), shortest(v.z)); }
 
 Vec3 in_cell(const Scene& scene, Vec3 x) {
   for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z})

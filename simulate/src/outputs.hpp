@@ -11,6 +11,8 @@ namespace ricochet::simulate {
 
 /// A place brought back into the cell where space repeats itself.
 Vec3 in_cell(const Scene& scene, Vec3 position);
+/// Three numbers with spaces between them, to the last bit.
+std::string spelled(Vec3 v);
 /// One frame of extended XYZ.
 std::string frame_xyz(const Scene& scene, const Roster& roster, const Cluster& cluster);
 std::string energy_row(const Cluster& cluster);

@@ -13,7 +13,7 @@ namespace {
 
 using console::shortest;
 
-std::string spelled(Vec3 v) { return fmt::format("{} {} {}\n", shortest(v.x), shortest(v.y), shortest(v.z)); }
+std::string line(Vec3 v) { return spelled(v) + '\n'; }
 
 constexpr const char* series_file = "spheres.vtk.series";
 
@@ -27,7 +27,7 @@ std::string frame_vtk(const Scene& scene, const Roster& roster, const Cluster& c
       "# vtk DataFile Version 3.0\nspheres that simulate moves\nASCII\nDATASET POLYDATA\n"
       "FIELD FieldData 1\nTIME 1 1 double\n{}\nPOINTS {} double\n",
       shortest(cluster.time()), n);
-  for (std::size_t i = 0; i < n; ++i) frame += spelled(in_cell(scene, cluster.position(i)));
+  for (std::size_t i = 0; i < n; ++i) frame += line(in_cell(scene, cluster.position(i)));
   frame += fmt::format("VERTICES {} {}\n", n, 2 * n);
   for (std::size_t i = 0; i < n; ++i) frame += fmt::format("1 {}\n", i);
   frame += fmt::format("POINT_DATA {}\n", n);
@@ -40,9 +40,9 @@ std::string frame_vtk(const Scene& scene, const Roster& roster, const Cluster& c
   scalars("number", "int", [&](std::size_t i) { return roster.name(i); });
   scalars("material", "int", [&](std::size_t i) { return scene.stuff[roster.who()[i]]; });
   frame += "VECTORS velocity double\n";
-  for (std::size_t i = 0; i < n; ++i) frame += spelled(cluster.velocity(i));
+  for (std::size_t i = 0; i < n; ++i) frame += line(cluster.velocity(i));
   frame += "VECTORS spin double\n";
-  for (std::size_t i = 0; i < n; ++i) frame += spelled(cluster.spin(i));
+  for (std::size_t i = 0; i < n; ++i) frame += line(cluster.spin(i));
   return frame;
 }
 

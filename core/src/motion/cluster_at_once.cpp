@@ -138,7 +138,7 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
   motion::Slides& slides = space.slides;
   for (std::uint32_t k = first; k < last; ++k) {
     const ContactState& c = state_.contacts[k];
-    if (k + 8 < last) motion::fetch(motions_[state_.contacts[k + 8].record.j]);
+    if (k + motion::look_ahead < last) motion::fetch(motions_[state_.contacts[k + motion::look_ahead].record.j]);
     geometries[k - first] = geometry_of(c);
     rows[k - first] = normal_row(c, geometries[k - first]);
   }
@@ -171,19 +171,22 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
   }
 }
 
+inline void Cluster::receive(const Gain& gain) noexcept {
+  state_.velocity_gains[gain.body] += gain.linear;
+  state_.spin_gains[gain.body] += gain.turning;
+}
+
 // Each body's gains are summed in the order of its contacts, whoever passes them.
 void Cluster::gather(std::span<const Passed> passed, Range& range) {
-  const auto add = [&](std::uint32_t body, Vec3 linear, Vec3 turning) {
-    if (lowest_[body] < range.first) {
-      range.late.push_back({body, linear, turning});
-      return;
-    }
-    state_.velocity_gains[body] += linear;
-    state_.spin_gains[body] += turning;
+  const auto add = [&](const Gain& gain) {
+    if (lowest_[gain.body] < range.first)
+      range.late.push_back(gain);
+    else
+      receive(gain);
   };
   for (const Passed& p : passed) {
-    add(p.i, p.linear, p.on_i);
-    if (p.j < radii_.size()) add(p.j, -p.linear, p.on_j);
+    add({p.i, p.linear, p.on_i});
+    if (p.j < radii_.size()) add({p.j, -p.linear, p.on_j});
     Losses& losses = losses_[p.i / group_of_losses];
     losses.normal += p.lost_normal, losses.friction += p.lost_friction, losses.wall_work += p.wall_work;
   }
@@ -191,11 +194,8 @@ void Cluster::gather(std::span<const Passed> passed, Range& range) {
 
 void Cluster::add_late(std::size_t first, std::size_t last) noexcept {
   for (const Range& range : ranges_)
-    for (const Gain& gain : range.late) {
-      if (gain.body < first || gain.body >= last) continue;
-      state_.velocity_gains[gain.body] += gain.linear;
-      state_.spin_gains[gain.body] += gain.turning;
-    }
+    for (const Gain& gain : range.late)
+      if (gain.body >= first && gain.body < last) receive(gain);
 }
 
 void Cluster::book() noexcept {

@@ -285,6 +285,7 @@ class Cluster {
   void pass_range(Range& range);
   void pass_block(std::uint32_t first, std::uint32_t last, Workspace& space);
   void gather(std::span<const Passed> passed, Range& range);
+  void receive(const Gain& gain) noexcept;
   void add_late(std::size_t first, std::size_t last) noexcept;
   void book() noexcept;
   Vec3 pass_normal(const ContactState& c, const ContactGeometry& g, motion::NormalRow& along,

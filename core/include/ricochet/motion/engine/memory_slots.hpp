@@ -28,6 +28,10 @@ concept MemoryOfDoubles = std::is_empty_v<Memory> ||
     (std::is_trivially_copyable_v<Memory>&& std::is_aggregate_v<Memory> && sizeof(Memory) % sizeof(double) == 0 &&
      made_of_doubles<Memory>(std::make_index_sequence<sizeof(Memory) / sizeof(double)>()));
 
+/// So many values before it is read one is fetched: a step of a contact takes tens of nanoseconds, memory a hundred or
+/// more.
+inline constexpr std::size_t look_ahead = 8;
+
 /// Begins to load a value that will be read soon.
 template <class Value>
 void fetch(const Value& value) noexcept {

@@ -102,9 +102,8 @@ class NormalContactsOf final : public NormalContacts {
   void forget(const ContactState& c) override { memories_.give_back(c.slot); }
 
   void prepare(const NormalBatch& batch) override {
-    constexpr std::size_t ahead = 8;
     for (std::size_t n = 0; n < batch.members.size(); ++n) {
-      if (n + ahead < batch.members.size()) memories_.fetch(batch.contacts[batch.members[n + ahead]].slot);
+      if (n + look_ahead < batch.members.size()) memories_.fetch(batch.contacts[batch.members[n + look_ahead]].slot);
       const std::uint32_t k = batch.members[n];
       ContactState& c = batch.contacts[k];
       NormalRow& row = batch.row(k);
