@@ -47,6 +47,7 @@
 #include <ricochet/motion/bodies.hpp>
 #include <ricochet/motion/cluster.hpp>
 #include <ricochet/motion/column.hpp>
+#include <ricochet/motion/contact_list.hpp>
 #include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/engine/column_arms.hpp>
 #include <ricochet/motion/engine/column_energy.hpp>

@@ -144,7 +144,7 @@ ClusterEnergy Cluster::energy() const noexcept {
     e.kinetic += 0.5 * masses_[i] * dot(velocity(i), velocity(i)) + 0.5 * inertias_[i] * dot(spin(i), spin(i));
     e.gravity -= masses_[i] * dot(gravity_, position(i));
   }
-  for (const ContactState& c : state_.contacts) e.stored += c.stored, e.strained += c.strained;
+  for (const ContactState& c : contacts_) e.stored += c.stored, e.strained += c.strained;
   e.lost_normal = state_.lost_normal;
   e.lost_friction = state_.lost_friction;
   e.long_range_work = state_.long_range_work;
@@ -169,7 +169,8 @@ std::vector<Encounter> Cluster::take_finished() { return std::exchange(finished_
 
 ClusterState Cluster::state() const {
   ClusterState state = state_;
-  for (const ContactState& c : state_.contacts) {
+  state.contacts = contacts_.in_order();
+  for (const ContactState& c : contacts_) {
     const motion::NormalContacts& normal = *models_[c.model].normal;
     ContactMemory memory{std::string(normal.law()), std::vector<double>(normal.memory_size())};
     normal.save(c, memory.values);
@@ -208,12 +209,13 @@ void Cluster::restore(ClusterState state) {
     if (gains->size() != size()) throw std::invalid_argument("state: must have one gain a sphere, or none");
   }
   check_contacts(state);
-  for (const ContactState& c : state_.contacts) models_[c.model].normal->forget(c);
+  for (const ContactState& c : contacts_) models_[c.model].normal->forget(c);
   state_ = std::move(state);
+  contacts_ = ContactList(std::exchange(state_.contacts, {}));
   for (std::size_t w = 0; w < walls_.size(); ++w) state_.spins[size() + w] = walls_[w].spin();
   set_wall_velocities(time());
-  for (std::size_t k = 0; k < state_.contacts.size(); ++k) {
-    ContactState& c = state_.contacts[k];
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    ContactState& c = contacts_[k];
     c.model = model_of(c.record.i, c.record.j);
     models_[c.model].normal->restore(c, state_.memories[k].values);
   }
@@ -224,7 +226,7 @@ void Cluster::restore(ClusterState state) {
 }
 
 std::optional<Breakthrough> Cluster::breakthrough() const noexcept {
-  for (const ContactState& c : state_.contacts) {
+  for (const ContactState& c : contacts_) {
     const auto [i, j] = std::pair(c.record.i, c.record.j);
     const double radius = j < size() ? std::min(radii_[i], radii_[j]) : radii_[i];
     const bool across = crossed(c);

@@ -48,7 +48,7 @@ void Cluster::add_drag(const ContactState& c, std::int64_t sign) noexcept {
 void Cluster::sum_drags() noexcept {
   drags_.assign(inverse_mass_.size(), 0);
   braked_ = 0;
-  for (const ContactState& c : state_.contacts) add_drag(c, 1);
+  for (const ContactState& c : contacts_) add_drag(c, 1);
 }
 
 bool Cluster::needs_no_sweeps() {
@@ -112,8 +112,8 @@ void Cluster::pass_range(Range& range) {
   range.late.clear();
   std::fill(losses_.begin() + range.first / group_of_losses,
             losses_.begin() + (range.last + group_of_losses - 1) / group_of_losses, Losses{});
-  const std::uint32_t last = place_of({range.last, 0});
-  for (std::uint32_t first = place_of({range.first, 0}); first < last;) {
+  const std::uint32_t last = contacts_.place_of({range.last, 0});
+  for (std::uint32_t first = contacts_.place_of({range.first, 0}); first < last;) {
     const std::uint32_t end = std::min<std::uint32_t>(last, first + block_size);
     pass_block(first, end, space);
     gather(std::span(space.passed).first(end - first), range);
@@ -137,8 +137,9 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
   auto& passed = space.passed;
   motion::Slides& slides = space.slides;
   for (std::uint32_t k = first; k < last; ++k) {
-    const ContactState& c = state_.contacts[k];
-    if (k + motion::look_ahead < last) motion::fetch(motions_[state_.contacts[k + motion::look_ahead].record.j]);
+    const ContactState& c = contacts_[k];
+    if (k + motion::look_ahead < last) motion::fetch(motions_[contacts_[k + motion::look_ahead].record.j]);
+    if (k + 2 * motion::look_ahead < last) motion::fetch(contacts_[k + 2 * motion::look_ahead]);
     geometries[k - first] = geometry_of(c);
     rows[k - first] = normal_row(c, geometries[k - first]);
   }
@@ -146,12 +147,12 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
     for (const Model& model : models_) {
       const auto from = std::lower_bound(model.members.begin(), model.members.end(), first);
       const auto to = std::lower_bound(from, model.members.end(), last);
-      if (from != to) act(*model.normal, motion::NormalBatch{{from, to}, state_.contacts, rows, first});
+      if (from != to) act(*model.normal, motion::NormalBatch{{from, to}, contacts_, rows, first});
     }
   };
   each_batch([](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.prepare(batch); });
   for (std::uint32_t k = first; k < last; ++k) {
-    ContactState& c = state_.contacts[k];
+    ContactState& c = contacts_[k];
     const std::uint32_t n = k - first;
     const Vec3 v = pass_normal(c, geometries[n], rows[n], passed[n]);
     if (!slides_or_holds(c)) {
@@ -167,7 +168,7 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
   each_batch([now](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.conclude(batch, now); });
   for (std::uint32_t k = first; k < last; ++k) {
     passed[k - first].lost_normal = rows[k - first].loss;
-    note_end_of_contact(state_.contacts[k], geometries[k - first], rows[k - first]);
+    note_end_of_contact(contacts_[k], geometries[k - first], rows[k - first]);
   }
 }
 
@@ -300,11 +301,11 @@ RICOCHET_INNERMOST void Cluster::limit_slide(const ContactState& c, motion::Slid
 void Cluster::pass_slides(std::uint32_t first, Workspace& space) noexcept {
   motion::Slides& s = space.slides;
   motion::hold(s, options_.step, instructions_);
-  for (std::size_t k = 0; k < s.count; ++k) limit_slide(state_.contacts[first + s.contacts[k]], s, k);
+  for (std::size_t k = 0; k < s.count; ++k) limit_slide(contacts_[first + s.contacts[k]], s, k);
   motion::conclude(s, options_.step, instructions_);
   for (std::size_t k = 0; k < s.count; ++k) {
     const std::uint32_t n = s.contacts[k];
-    ContactState& c = state_.contacts[first + n];
+    ContactState& c = contacts_[first + n];
     Passed& p = space.passed[n];
     const Vec3 impulse = s.impulse[k];
     p.linear += impulse, p.on_i = s.on_i[k], p.on_j = s.on_j[k], p.lost_friction = s.lost[k];

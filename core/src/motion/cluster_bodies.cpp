@@ -74,7 +74,7 @@ void Cluster::add_sphere(const Sphere& s) {
 
 // Walls count on from the spheres.
 void Cluster::renumber_walls(std::size_t spheres_before) {
-  for (ContactState& c : state_.contacts)
+  for (ContactState& c : contacts_)
     if (c.record.j >= spheres_before) c.record.j += static_cast<std::uint32_t>(size() - spheres_before);
 }
 
@@ -114,8 +114,8 @@ void Cluster::remove(std::span<const std::uint32_t> leaving) {
     values.resize(values.size() - leaving.size());
   };
   std::vector<ContactState> lasting;
-  lasting.reserve(state_.contacts.size());
-  for (ContactState& c : state_.contacts) {
+  lasting.reserve(contacts_.size());
+  for (ContactState& c : contacts_) {
     if (place[c.record.i] == gone || place[c.record.j] == gone) {
       models_[c.model].normal->forget(c);
       finished_.push_back(c.record);
@@ -124,7 +124,7 @@ void Cluster::remove(std::span<const std::uint32_t> leaving) {
     c.record.i = place[c.record.i], c.record.j = place[c.record.j];
     lasting.push_back(c);
   }
-  state_.contacts = std::move(lasting);
+  contacts_ = ContactList(std::move(lasting));
   for (auto* const of_bodies : {&inverse_mass_, &inverse_inertia_, &radii_, &masses_, &inertias_}) close_up(*of_bodies);
   for (auto* const of_bodies :
        {&state_.half_positions, &state_.velocities, &state_.spins, &state_.velocity_gains, &state_.spin_gains})

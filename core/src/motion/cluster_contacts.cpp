@@ -4,11 +4,10 @@
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace ricochet {
 namespace {
-
-NearPair pair_of(const ContactState& c) noexcept { return {c.record.i, c.record.j}; }
 
 // How long ago the distance |D − Vs| was R, for spheres that now overlap, D² < R²: the positive root of a quadratic.
 double time_since_touch(Vec3 D, Vec3 V, double R) noexcept {
@@ -27,6 +26,7 @@ double time_since_separation(Vec3 D, Vec3 V, double R) noexcept {
 }  // namespace
 
 void Cluster::list_candidates() {
+  neighbours_.update(state_.half_positions);
   candidates_.clear();
   ++rebuilds_;
   walls_listed_at_ = middle();
@@ -71,13 +71,23 @@ inline bool Cluster::touches(std::uint32_t i, std::uint32_t j) const noexcept {
   return dot(d, d) < reach * reach;
 }
 
-void Cluster::find_touching() {
-  if (neighbours_.update(state_.half_positions) || walls_moved() || ranges_.empty()) list_candidates();
+// Which candidates have met or parted; false: the list has to be made anew first.
+bool Cluster::find_changed() {
   each_range([this](Range& range) {
     range.changed.clear();
+    range.listed = neighbours_.lists(state_.half_positions, range.first, range.last);
     for (std::size_t k = range.first_candidate; k < range.last_candidate; ++k)
       if (touches(candidates_[k].i, candidates_[k].j) != (closed_[k] != 0)) range.changed.push_back(k);
   });
+  return std::all_of(ranges_.begin(), ranges_.end(), [](const Range& range) { return range.listed; });
+}
+
+void Cluster::find_touching() {
+  if (walls_moved() || ranges_.empty()) list_candidates();
+  if (!find_changed()) {
+    list_candidates();
+    find_changed();
+  }
   std::vector<ContactState> born;
   for (const Range& range : ranges_)
     for (const std::size_t k : range.changed) {
@@ -85,24 +95,16 @@ void Cluster::find_touching() {
         born.push_back(begin_contact(candidates_[k].i, candidates_[k].j));
         add_drag(born.back(), 1);
       } else {
-        separated_.push_back(place_of(candidates_[k]));
+        separated_.push_back(contacts_.place_of(candidates_[k]));
       }
       closed_[k] = closed_[k] == 0 ? 1 : 0;
     }
   if (!separated_.empty() || !born.empty()) exchange(born);
 }
 
-// Of the contact, or of the first one after it.
-std::uint32_t Cluster::place_of(NearPair pair) const noexcept {
-  const auto& contacts = state_.contacts;
-  const auto c = std::lower_bound(contacts.begin(), contacts.end(), pair,
-                                  [](const ContactState& a, NearPair b) { return pair_of(a) < b; });
-  return static_cast<std::uint32_t>(c - contacts.begin());
-}
-
 void Cluster::group_contacts() {
   for (Model& model : models_) model.members.clear();
-  for (std::uint32_t k = 0; k < state_.contacts.size(); ++k) models_[state_.contacts[k].model].members.push_back(k);
+  for (std::uint32_t k = 0; k < contacts_.size(); ++k) models_[contacts_[k].model].members.push_back(k);
 }
 
 // Candidates and contacts are both in the order of their pairs. A contact that is no candidate has flown apart by more
@@ -111,8 +113,8 @@ void Cluster::mark_closed() {
   closed_.assign(candidates_.size(), 0);
   separated_.clear();
   std::size_t near = 0;
-  for (std::uint32_t k = 0; k < state_.contacts.size(); ++k) {
-    const NearPair pair = pair_of(state_.contacts[k]);
+  for (std::uint32_t k = 0; k < contacts_.size(); ++k) {
+    const NearPair pair = pair_of(contacts_[k]);
     while (near < candidates_.size() && candidates_[near] < pair) ++near;
     if (near < candidates_.size() && candidates_[near] == pair)
       closed_[near] = 1;
@@ -182,63 +184,34 @@ void Cluster::finish(ContactState& c, const ContactGeometry& g) {
   if (options_.records) finished_.push_back(c.record);
 }
 
-// Contacts stay in the order of their pairs, those that are met one after the other side by side. In a packing some
-// come and go in every step; what moves in memory is only what lies between these: contacts first … last − 1, by
-// `shift`.
-struct Cluster::Stay {
-  std::uint32_t first, last;
-  std::int32_t shift;
-};
-
 // Ends those that are separated, takes in those that are born.
 void Cluster::exchange(const std::vector<ContactState>& born) {
-  auto& contacts = state_.contacts;
   std::sort(separated_.begin(), separated_.end());
   for (const std::uint32_t k : separated_) {
-    add_drag(contacts[k], -1);
-    finish(contacts[k], geometry(contacts[k].record.i, contacts[k].record.j));
+    ContactState& c = contacts_[k];
+    add_drag(c, -1);
+    finish(c, geometry(c.record.i, c.record.j));
   }
   std::vector<std::uint32_t> places;
   places.reserve(born.size());
-  for (const ContactState& c : born) places.push_back(place_of(pair_of(c)));
-  const std::vector<Stay> stays = stays_between(places);
-  const std::size_t count = contacts.size() + born.size() - separated_.size();
-  contacts.resize(std::max(contacts.size(), count));
-  const auto begin = contacts.begin();
-  for (const Stay& s : stays)
-    if (s.shift < 0) std::copy(begin + s.first, begin + s.last, begin + s.first + s.shift);
-  for (std::size_t k = stays.size(); k-- > 0;)
-    if (const Stay& s = stays[k]; s.shift > 0)
-      std::copy_backward(begin + s.first, begin + s.last, begin + s.last + s.shift);
-  for (std::size_t k = 0; k < born.size(); ++k) contacts[places[k]] = born[k];
-  contacts.resize(count);
+  for (const ContactState& c : born) places.push_back(contacts_.place_of(pair_of(c)));
+  const std::vector<ContactList::Stay> stays = contacts_.exchange(separated_, born, places);
   for (std::uint32_t m = 0; m < models_.size(); ++m) regroup(m, stays, places);
   separated_.clear();
 }
 
-// What stays while the separated go and others come in before the contacts at `places`, which become their own places.
-std::vector<Cluster::Stay> Cluster::stays_between(std::vector<std::uint32_t>& places) const {
-  std::vector<Stay> stays;
-  std::uint32_t from = 0;
-  std::int32_t shift = 0;
-  const auto stay_until = [&](std::uint32_t at) {
-    if (at > from) stays.push_back({from, at, shift});
-    from = at;
-  };
-  auto gone = separated_.begin();
-  for (std::uint32_t& place : places) {
-    for (; gone != separated_.end() && *gone < place; ++gone, ++from, --shift) stay_until(*gone);
-    stay_until(place);
-    place += static_cast<std::uint32_t>(shift++);
-  }
-  for (; gone != separated_.end(); ++gone, ++from, --shift) stay_until(*gone);
-  stay_until(static_cast<std::uint32_t>(state_.contacts.size()));
-  return stays;
-}
-
 // The members of a model after an exchange.
-void Cluster::regroup(std::uint32_t model, const std::vector<Stay>& stays, const std::vector<std::uint32_t>& born) {
+void Cluster::regroup(std::uint32_t model, const std::vector<ContactList::Stay>& stays,
+                      const std::vector<std::uint32_t>& born) {
   std::vector<std::uint32_t>& members = models_[model].members;
+  if (models_.size() == 1) {
+    const std::size_t before = members.size();
+    members.resize(contacts_.size());
+    if (before < members.size())
+      std::iota(members.begin() + static_cast<std::ptrdiff_t>(before), members.end(),
+                static_cast<std::uint32_t>(before));
+    return;
+  }
   std::size_t kept = 0;
   auto stay = stays.begin();
   for (const std::uint32_t k : members) {
@@ -247,7 +220,7 @@ void Cluster::regroup(std::uint32_t model, const std::vector<Stay>& stays, const
   }
   members.resize(kept);
   for (const std::uint32_t k : born)
-    if (state_.contacts[k].model == model) members.push_back(k);
+    if (contacts_[k].model == model) members.push_back(k);
   std::inplace_merge(members.begin(), members.begin() + static_cast<std::ptrdiff_t>(kept), members.end());
 }
 

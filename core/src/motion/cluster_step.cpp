@@ -66,13 +66,13 @@ void Cluster::kick_by_fields() {
   }
 }
 
-motion::NormalBatch Cluster::batch(const Model& model) noexcept { return {model.members, state_.contacts, normals_}; }
+motion::NormalBatch Cluster::batch(const Model& model) noexcept { return {model.members, contacts_, normals_}; }
 
 void Cluster::prepare_normals() {
-  geometries_.resize(state_.contacts.size());
+  geometries_.resize(contacts_.size());
   normals_.resize(geometries_.size());
   for (std::size_t k = 0; k < geometries_.size(); ++k) {
-    const ContactState& c = state_.contacts[k];
+    const ContactState& c = contacts_[k];
     geometries_[k] = geometry(c.record.i, c.record.j);
     normals_[k] = normal_row(c, geometries_[k]);
   }

@@ -139,11 +139,11 @@ NeighbourList::NeighbourList(std::vector<double> radii, double skin, Vec3 period
   support::require_not_negative("skin", skin);
 }
 
-bool NeighbourList::still_valid(std::span<const Vec3> positions) const noexcept {
+bool NeighbourList::lists(std::span<const Vec3> positions, std::size_t first, std::size_t last) const noexcept {
   if (built_at_.size() != positions.size()) return false;
   // A hair below skin/2, so that rounding of the squares cannot admit a pair that has just begun to overlap.
   const double allowed = 0.25 * skin_ * skin_ * (1 - 1e-9);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     const Vec3 moved = positions[i] - built_at_[i];
     if (!(dot(moved, moved) <= allowed)) return false;
   }
@@ -151,7 +151,7 @@ bool NeighbourList::still_valid(std::span<const Vec3> positions) const noexcept 
 }
 
 bool NeighbourList::update(std::span<const Vec3> positions) {
-  if (still_valid(positions)) return false;
+  if (lists(positions, 0, positions.size())) return false;
   pairs_ = near_pairs(positions, radii_, skin_, Periodic{period_});
   built_at_.assign(positions.begin(), positions.end());
   return true;

@@ -3,6 +3,7 @@
 #include <ricochet/contact/arms_block.hpp>
 #include <ricochet/contact/geometry.hpp>
 #include <ricochet/motion/bodies.hpp>
+#include <ricochet/motion/contact_list.hpp>
 #include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/engine/compliant_contact.hpp>
 #include <ricochet/motion/engine/surface.hpp>
@@ -137,7 +138,7 @@ class Cluster {
   Vec3 angular_momentum() const noexcept;  ///< about the origin [kg m²/s]
 
   /// Pairs in contact, ordered by (i, j).
-  std::span<const ContactState> contacts() const noexcept { return state_.contacts; }
+  const ContactList& contacts() const noexcept { return contacts_; }
   /// Collisions whose pairs have separated since the last call, in the order of their separation.
   std::vector<Encounter> take_finished();
 
@@ -201,6 +202,7 @@ class Cluster {
   struct alignas(128) Range {
     std::uint32_t first = 0, last = 0;  // spheres first … last − 1, whole groups
     std::size_t first_candidate = 0, last_candidate = 0;
+    bool listed = false;               // are all whom its spheres touch among the candidates?
     std::vector<std::size_t> changed;  // candidates that have met or parted
     std::vector<Gain> late;            // for bodies that an earlier range may reach, whose gains go first
   };
@@ -252,12 +254,11 @@ class Cluster {
   void note_end();
   void list_candidates();
   void split();
+  bool find_changed();
   void find_touching();
-  std::uint32_t place_of(NearPair pair) const noexcept;
-  struct Stay;
   void exchange(const std::vector<ContactState>& born);
-  std::vector<Stay> stays_between(std::vector<std::uint32_t>& places) const;
-  void regroup(std::uint32_t model, const std::vector<Stay>& stays, const std::vector<std::uint32_t>& born);
+  void regroup(std::uint32_t model, const std::vector<ContactList::Stay>& stays,
+               const std::vector<std::uint32_t>& born);
   void mark_closed();
   bool touches(std::uint32_t i, std::uint32_t j) const noexcept;
   ContactState begin_contact(std::uint32_t i, std::uint32_t j);
@@ -335,7 +336,8 @@ class Cluster {
   std::vector<std::uint32_t> model_table_;
   std::vector<Model> models_;
 
-  ClusterState state_;  // without memories; velocities and spins of walls follow those of the spheres
+  ClusterState state_;  // without contacts and memories; velocities and spins of walls follow those of the spheres
+  ContactList contacts_;
   NeighbourList neighbours_;
   std::vector<NearPair> candidates_;
   std::vector<char> closed_;                 // whether they are in contact

@@ -31,12 +31,12 @@ class NeighbourList {
 
   /// Makes the list valid for `positions`; true if it was rebuilt.
   bool update(std::span<const Vec3> positions);
+  /// Whether spheres `first` … `last` − 1 allow that: the list is valid if all do.
+  bool lists(std::span<const Vec3> positions, std::size_t first, std::size_t last) const noexcept;
   std::span<const NearPair> pairs() const noexcept { return pairs_; }
   double skin() const noexcept { return skin_; }
 
  private:
-  bool still_valid(std::span<const Vec3> positions) const noexcept;
-
   std::vector<double> radii_;
   double skin_;
   Vec3 period_;  // of space, see Periodic

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <ricochet/contact/mean_force.hpp>
-#include <ricochet/motion/contact_state.hpp>
+#include <ricochet/motion/contact_list.hpp>
 #include <ricochet/motion/engine/implicit_force.hpp>
 #include <ricochet/motion/engine/memory_slots.hpp>
 
@@ -29,10 +29,10 @@ struct NormalRow {
   double loss = 0;           ///< what dashpots and the clamp have taken [J]
 };
 
-/// Some of a cluster's contacts, by index, and their rows, which begin with that of contact `first`.
+/// Some of a cluster's contacts, by place, and their rows, which begin with that of contact `first`.
 struct NormalBatch {
   std::span<const std::uint32_t> members;
-  std::span<ContactState> contacts;
+  ContactList& contacts;
   std::span<NormalRow> rows;
   std::size_t first = 0;
 
