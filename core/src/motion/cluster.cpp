@@ -110,6 +110,7 @@ void Cluster::add_models(const Interactions& interactions) {
                                               0,
                                               0,
                                               std::move(normal),
+                                              0,
                                               {}});
     model.compliant =
         compliant(interaction.tangential) && model.rubs();  // where all limits are 0 no spring is strained
@@ -220,7 +221,7 @@ void Cluster::restore(ClusterState state) {
     models_[c.model].normal->restore(c, state_.memories[k].values);
   }
   state_.memories.clear();
-  group_contacts();
+  count_contacts();
   mark_closed();
   sum_drags();
 }

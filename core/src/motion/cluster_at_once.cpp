@@ -17,6 +17,8 @@ constexpr std::size_t block_size = 64;
 }  // namespace
 
 struct Cluster::Workspace {
+  std::array<ContactState*, block_size> contacts;
+  std::array<std::uint32_t, block_size> members;
   std::array<ContactGeometry, block_size> geometries;
   std::array<motion::NormalRow, block_size> rows;
   std::array<Passed, block_size> passed;
@@ -53,7 +55,7 @@ void Cluster::sum_drags() noexcept {
 
 bool Cluster::needs_no_sweeps() {
   for (const Model& model : models_)
-    if (model.rubs() && !model.compliant && !model.members.empty()) return false;
+    if (model.rubs() && !model.compliant && model.contacts > 0) return false;
   if (drags_vary_) sum_drags();
   return braked_ == 0;
 }
@@ -136,24 +138,18 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
   auto& rows = space.rows;
   auto& passed = space.passed;
   motion::Slides& slides = space.slides;
-  for (std::uint32_t k = first; k < last; ++k) {
-    const ContactState& c = contacts_[k];
-    if (k + motion::look_ahead < last) motion::fetch(motions_[contacts_[k + motion::look_ahead].record.j]);
-    if (k + 2 * motion::look_ahead < last) motion::fetch(contacts_[k + 2 * motion::look_ahead]);
-    geometries[k - first] = geometry_of(c);
-    rows[k - first] = normal_row(c, geometries[k - first]);
+  const std::uint32_t count = last - first;
+  for (std::uint32_t n = 0; n < count; ++n) {
+    ContactState& c = contacts_[first + n];
+    if (n + motion::look_ahead < count) motion::fetch(motions_[contacts_[first + n + motion::look_ahead].record.j]);
+    if (n + 2 * motion::look_ahead < count) motion::fetch(contacts_[first + n + 2 * motion::look_ahead]);
+    space.contacts[n] = &c;
+    geometries[n] = geometry_of(c);
+    rows[n] = normal_row(c, geometries[n]);
   }
-  const auto each_batch = [&](const auto& act) {
-    for (const Model& model : models_) {
-      const auto from = std::lower_bound(model.members.begin(), model.members.end(), first);
-      const auto to = std::lower_bound(from, model.members.end(), last);
-      if (from != to) act(*model.normal, motion::NormalBatch{{from, to}, contacts_, rows, first});
-    }
-  };
-  each_batch([](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.prepare(batch); });
-  for (std::uint32_t k = first; k < last; ++k) {
-    ContactState& c = contacts_[k];
-    const std::uint32_t n = k - first;
+  each_batch(space, count, [](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.prepare(batch); });
+  for (std::uint32_t n = 0; n < count; ++n) {
+    ContactState& c = *space.contacts[n];
     const Vec3 v = pass_normal(c, geometries[n], rows[n], passed[n]);
     if (!slides_or_holds(c)) {
       pass_tangential(c, geometries[n], rows[n], v, passed[n]);
@@ -161,14 +157,26 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
     }
     slides.contacts[slides.count] = n;
     add_slide(c, geometries[n], rows[n], v, slides);
-    if (slides.count == motion::Slides::lanes) pass_slides(first, space);
+    if (slides.count == motion::Slides::lanes) pass_slides(space);
   }
-  if (slides.count > 0) pass_slides(first, space);
+  if (slides.count > 0) pass_slides(space);
   const double now = middle();
-  each_batch([now](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.conclude(batch, now); });
-  for (std::uint32_t k = first; k < last; ++k) {
-    passed[k - first].lost_normal = rows[k - first].loss;
-    note_end_of_contact(contacts_[k], geometries[k - first], rows[k - first]);
+  each_batch(space, count,
+             [now](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.conclude(batch, now); });
+  for (std::uint32_t n = 0; n < count; ++n) {
+    passed[n].lost_normal = rows[n].loss;
+    note_end_of_contact(*space.contacts[n], geometries[n], rows[n]);
+  }
+}
+
+// act(law, batch) for each interaction that has some of the block's contacts.
+template <class Act>
+void Cluster::each_batch(Workspace& space, std::uint32_t count, const Act& act) {
+  for (std::uint32_t m = 0; m < models_.size(); ++m) {
+    std::size_t members = 0;
+    for (std::uint32_t n = 0; n < count; ++n)
+      if (space.contacts[n]->model == m) space.members[members++] = n;
+    if (members > 0) act(*models_[m].normal, {std::span(space.members).first(members), space.contacts, space.rows});
   }
 }
 
@@ -298,14 +306,14 @@ RICOCHET_INNERMOST void Cluster::limit_slide(const ContactState& c, motion::Slid
 }
 
 // All that are gathered in the lanes.
-void Cluster::pass_slides(std::uint32_t first, Workspace& space) noexcept {
+void Cluster::pass_slides(Workspace& space) noexcept {
   motion::Slides& s = space.slides;
   motion::hold(s, options_.step, instructions_);
-  for (std::size_t k = 0; k < s.count; ++k) limit_slide(contacts_[first + s.contacts[k]], s, k);
+  for (std::size_t k = 0; k < s.count; ++k) limit_slide(*space.contacts[s.contacts[k]], s, k);
   motion::conclude(s, options_.step, instructions_);
   for (std::size_t k = 0; k < s.count; ++k) {
     const std::uint32_t n = s.contacts[k];
-    ContactState& c = contacts_[first + n];
+    ContactState& c = *space.contacts[n];
     Passed& p = space.passed[n];
     const Vec3 impulse = s.impulse[k];
     p.linear += impulse, p.on_i = s.on_i[k], p.on_j = s.on_j[k], p.lost_friction = s.lost[k];

@@ -130,7 +130,7 @@ void Cluster::remove(std::span<const std::uint32_t> leaving) {
        {&state_.half_positions, &state_.velocities, &state_.spins, &state_.velocity_gains, &state_.spin_gains})
     close_up(*of_bodies);
   close_up(materials_);
-  group_contacts();
+  count_contacts();
   sum_drags();
   neighbours_ = NeighbourList(radii_, neighbours_.skin(), periodic_.period);
   candidates_.clear(), closed_.clear(), ranges_.clear();

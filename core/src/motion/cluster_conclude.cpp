@@ -9,7 +9,7 @@ namespace ricochet {
 
 void Cluster::conclude() {
   for (std::size_t k = 0; k < geometries_.size(); ++k) {
-    ContactState& c = contacts_[k];
+    ContactState& c = *present_[k];
     const Motion &i = motions_[c.record.i], &j = motions_[c.record.j];
     const ContactGeometry& g = geometries_[k];
     normals_[k].rate_mid = dot(i.velocity_mid - j.velocity_mid - swept(c, g), g.normal);
@@ -27,7 +27,7 @@ void Cluster::conclude() {
   }
   for (const Model& model : models_) model.normal->conclude(batch(model), time() + 0.5 * options_.step);
   for (std::size_t k = 0; k < geometries_.size(); ++k) {
-    ContactState& c = contacts_[k];
+    ContactState& c = *present_[k];
     state_.lost_normal += normals_[k].loss;
     note_end_of_contact(c, geometries_[k], normals_[k]);
   }
@@ -54,7 +54,7 @@ void Cluster::note_breakage(ContactState& c, double mobility) const noexcept {
 
 // The work of an impulse is that at the mean of the velocities before and after.
 double Cluster::friction_loss(std::size_t contact) {
-  ContactState& c = contacts_[contact];
+  ContactState& c = *present_[contact];
   const SlipMotion mean = mean_slip(c, geometries_[contact]);
   const Model& model = models_[c.model];
   if (model.compliant) return conclude_springs(contact, mean);
@@ -64,7 +64,7 @@ double Cluster::friction_loss(std::size_t contact) {
 }
 
 double Cluster::conclude_springs(std::size_t contact, const SlipMotion& mean) {
-  ContactState& c = contacts_[contact];
+  ContactState& c = *present_[contact];
   const TangentialContact& law = models_[c.model].tangential;
   const motion::CompliantRow& row = springs_[contact];
   const motion::CompliantEnd end = motion::compliant_end<true>(law, row, c, mean, c.force);

@@ -4,7 +4,6 @@
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
-#include <numeric>
 
 namespace ricochet {
 namespace {
@@ -102,9 +101,9 @@ void Cluster::find_touching() {
   if (!separated_.empty() || !born.empty()) exchange(born);
 }
 
-void Cluster::group_contacts() {
-  for (Model& model : models_) model.members.clear();
-  for (std::uint32_t k = 0; k < contacts_.size(); ++k) models_[contacts_[k].model].members.push_back(k);
+void Cluster::count_contacts() noexcept {
+  for (Model& model : models_) model.contacts = 0;
+  for (const ContactState& c : contacts_) ++models_[c.model].contacts;
 }
 
 // Candidates and contacts are both in the order of their pairs. A contact that is no candidate has flown apart by more
@@ -190,38 +189,12 @@ void Cluster::exchange(const std::vector<ContactState>& born) {
   for (const std::uint32_t k : separated_) {
     ContactState& c = contacts_[k];
     add_drag(c, -1);
+    --models_[c.model].contacts;
     finish(c, geometry(c.record.i, c.record.j));
   }
-  std::vector<std::uint32_t> places;
-  places.reserve(born.size());
-  for (const ContactState& c : born) places.push_back(contacts_.place_of(pair_of(c)));
-  const std::vector<ContactList::Stay> stays = contacts_.exchange(separated_, born, places);
-  for (std::uint32_t m = 0; m < models_.size(); ++m) regroup(m, stays, places);
+  for (const ContactState& c : born) ++models_[c.model].contacts;
+  contacts_.exchange(separated_, born);
   separated_.clear();
-}
-
-// The members of a model after an exchange.
-void Cluster::regroup(std::uint32_t model, const std::vector<ContactList::Stay>& stays,
-                      const std::vector<std::uint32_t>& born) {
-  std::vector<std::uint32_t>& members = models_[model].members;
-  if (models_.size() == 1) {
-    const std::size_t before = members.size();
-    members.resize(contacts_.size());
-    if (before < members.size())
-      std::iota(members.begin() + static_cast<std::ptrdiff_t>(before), members.end(),
-                static_cast<std::uint32_t>(before));
-    return;
-  }
-  std::size_t kept = 0;
-  auto stay = stays.begin();
-  for (const std::uint32_t k : members) {
-    while (stay != stays.end() && k >= stay->last) ++stay;
-    if (stay != stays.end() && k >= stay->first) members[kept++] = k + static_cast<std::uint32_t>(stay->shift);
-  }
-  members.resize(kept);
-  for (const std::uint32_t k : born)
-    if (contacts_[k].model == model) members.push_back(k);
-  std::inplace_merge(members.begin(), members.begin() + static_cast<std::ptrdiff_t>(kept), members.end());
 }
 
 }  // namespace ricochet

@@ -66,13 +66,23 @@ void Cluster::kick_by_fields() {
   }
 }
 
-motion::NormalBatch Cluster::batch(const Model& model) noexcept { return {model.members, contacts_, normals_}; }
+motion::NormalBatch Cluster::batch(const Model& model) noexcept { return {model.members, present_, normals_}; }
+
+void Cluster::group_contacts() {
+  for (Model& model : models_) model.members.clear();
+  present_.clear();
+  for (ContactState& c : contacts_) {
+    models_[c.model].members.push_back(static_cast<std::uint32_t>(present_.size()));
+    present_.push_back(&c);
+  }
+}
 
 void Cluster::prepare_normals() {
-  geometries_.resize(contacts_.size());
-  normals_.resize(geometries_.size());
-  for (std::size_t k = 0; k < geometries_.size(); ++k) {
-    const ContactState& c = contacts_[k];
+  group_contacts();
+  geometries_.resize(present_.size());
+  normals_.resize(present_.size());
+  for (std::size_t k = 0; k < present_.size(); ++k) {
+    const ContactState& c = *present_[k];
     geometries_[k] = geometry(c.record.i, c.record.j);
     normals_[k] = normal_row(c, geometries_[k]);
   }

@@ -11,7 +11,7 @@ void Cluster::prepare_rows() {
   rows_.resize(geometries_.size());
   if (has_springs_) springs_.resize(rows_.size());
   for (std::size_t k = 0; k < rows_.size(); ++k) {
-    const ContactState& c = contacts_[k];
+    const ContactState& c = *present_[k];
     rows_[k].before = slip_motion(c, geometries_[k], relative_velocity(c.record.i, c.record.j));
     rows_[k].friction = {};
     if (models_[c.model].rubs()) prepare_friction(k);
@@ -20,7 +20,7 @@ void Cluster::prepare_rows() {
 }
 
 void Cluster::prepare_friction(std::size_t contact) noexcept {
-  const ContactState& c = contacts_[contact];
+  const ContactState& c = *present_[contact];
   const ContactGeometry& g = geometries_[contact];
   Row& row = rows_[contact];
   row.mobility = slip_mobility(c, g);
@@ -60,7 +60,7 @@ constexpr int plain_sweeps = 16;
 
 // Solves one contact, all others as they are; returns the change of its impulses [N s].
 double Cluster::relax(std::size_t contact) noexcept {
-  const ContactState& c = contacts_[contact];
+  const ContactState& c = *present_[contact];
   Row& row = rows_[contact];
   motion::NormalRow& along = normals_[contact];
   const ContactGeometry& g = geometries_[contact];
@@ -113,7 +113,7 @@ double Cluster::accelerate(double last, bool restart) noexcept {
     const Pulse more{share * row.direction.normal, share * row.direction.friction};
     normals_[k].impulse += more.normal;
     row.friction.impulse = row.friction.impulse + more.friction;
-    apply(contacts_[k], geometries_[k], more.normal, more.friction);
+    apply(*present_[k], geometries_[k], more.normal, more.friction);
     row.direction = {more.normal + normal, more.friction + friction};
   }
   return size;
@@ -123,7 +123,7 @@ void Cluster::solve() {
   std::copy_n(state_.velocities.begin(), radii_.size(), state_.velocity_gains.begin());
   std::copy_n(state_.spins.begin(), radii_.size(), state_.spin_gains.begin());
   for (std::size_t k = 0; k < rows_.size(); ++k)
-    if (const ContactState& c = contacts_[k]; models_[c.model].rubs())
+    if (const ContactState& c = *present_[k]; models_[c.model].rubs())
       apply(c, geometries_[k], normals_[k].impulse, rows_[k].friction.impulse);
     else
       push(c, geometries_[k], normals_[k].impulse);

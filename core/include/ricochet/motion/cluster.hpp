@@ -167,7 +167,8 @@ class Cluster {
     std::optional<double> drag;       // of the normal law, where it is one
     double damping, turning_damping;  // of springs in the tangent plane
     std::unique_ptr<motion::NormalContacts> normal;
-    std::vector<std::uint32_t> members;  // which of all contacts, ascending
+    std::size_t contacts = 0;            // how many there are
+    std::vector<std::uint32_t> members;  // which of all, in a step that is solved by sweeps
     bool rubs() const noexcept {
       return tangential.friction.mu_static() > 0 || tangential.friction.rolling_arm() > 0 || tangential.rolling.mu > 0;
     }
@@ -257,11 +258,10 @@ class Cluster {
   bool find_changed();
   void find_touching();
   void exchange(const std::vector<ContactState>& born);
-  void regroup(std::uint32_t model, const std::vector<ContactList::Stay>& stays,
-               const std::vector<std::uint32_t>& born);
   void mark_closed();
   bool touches(std::uint32_t i, std::uint32_t j) const noexcept;
   ContactState begin_contact(std::uint32_t i, std::uint32_t j);
+  void count_contacts() noexcept;
   void group_contacts();
   void finish(ContactState& contact, const ContactGeometry& g);
   void prepare_normals();
@@ -285,6 +285,8 @@ class Cluster {
   struct Workspace;
   void pass_range(Range& range);
   void pass_block(std::uint32_t first, std::uint32_t last, Workspace& space);
+  template <class Act>
+  void each_batch(Workspace& space, std::uint32_t count, const Act& act);
   void gather(std::span<const Passed> passed, Range& range);
   void receive(const Gain& gain) noexcept;
   void add_late(std::size_t first, std::size_t last) noexcept;
@@ -297,7 +299,7 @@ class Cluster {
   void add_slide(const ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity_mid,
                  motion::Slides& slides) const noexcept;
   void limit_slide(const ContactState& c, motion::Slides& slides, std::size_t lane) const noexcept;
-  void pass_slides(std::uint32_t first, Workspace& space) noexcept;
+  void pass_slides(Workspace& space) noexcept;
   Vec3 normal_then(const ContactState& c, const ContactGeometry& g, Vec3 velocity) const noexcept;
   template <bool Turns>
   void pass_springs(ContactState& c, const ContactGeometry& g, const motion::NormalRow& along, Vec3 velocity,
@@ -343,7 +345,8 @@ class Cluster {
   std::vector<char> closed_;                 // whether they are in contact
   std::vector<std::uint32_t> separated_;     // contacts that are to end
   std::vector<Motion> motions_;              // of bodies
-  std::vector<ContactGeometry> geometries_;  // of contacts, in the middle of the step
+  std::vector<ContactState*> present_;       // the contacts of a step that is solved by sweeps
+  std::vector<ContactGeometry> geometries_;  // of the same contacts, in the middle of the step
   std::vector<motion::NormalRow> normals_;   // of the same contacts
   std::vector<std::int64_t> drags_;          // of bodies; whole numbers, so that their sums do not depend on the order
   std::int64_t braked_ = 0;                  // bodies with too many

@@ -57,18 +57,11 @@ class ContactList {
   /// One after the other, in a vector.
   std::vector<ContactState> in_order() const { return {begin(), end()}; }
 
-  /// Contacts that stay while others go and come: `first` … `last` − 1 move by `shift` places.
-  struct Stay {
-    std::uint32_t first, last;
-    std::int32_t shift;
-  };
-  /// Takes away the contacts at the places `gone` and takes in those of `born`, each before the contact at its place in
-  /// `places`, which become their own. All ascending.
-  std::vector<Stay> exchange(std::span<const std::uint32_t> gone, std::span<const ContactState> born,
-                             std::span<std::uint32_t> places);
+  /// Takes away the contacts at the places `gone`, ascending, and takes in `born`, in the order of their pairs, which are
+  /// not there.
+  void exchange(std::span<const std::uint32_t> gone, std::span<const ContactState> born);
 
  private:
-  std::vector<Stay> stays_between(std::span<const std::uint32_t> gone, std::span<std::uint32_t> places) const;
   std::uint32_t keep(const ContactState& contact);
 
   std::vector<ContactState> records_;

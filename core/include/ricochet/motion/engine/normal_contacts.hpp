@@ -1,7 +1,7 @@
 #pragma once
 
 #include <ricochet/contact/mean_force.hpp>
-#include <ricochet/motion/contact_list.hpp>
+#include <ricochet/motion/contact_state.hpp>
 #include <ricochet/motion/engine/implicit_force.hpp>
 #include <ricochet/motion/engine/memory_slots.hpp>
 
@@ -29,14 +29,11 @@ struct NormalRow {
   double loss = 0;           ///< what dashpots and the clamp have taken [J]
 };
 
-/// Some of a cluster's contacts, by place, and their rows, which begin with that of contact `first`.
+/// Contacts of a cluster, their rows, and which of them are meant.
 struct NormalBatch {
   std::span<const std::uint32_t> members;
-  ContactList& contacts;
+  std::span<ContactState* const> contacts;
   std::span<NormalRow> rows;
-  std::size_t first = 0;
-
-  NormalRow& row(std::uint32_t contact) const noexcept { return rows[contact - first]; }
 };
 
 /// All contacts of one interaction: they share the law, and their memories lie side by side. The cluster asks for whole
@@ -103,10 +100,10 @@ class NormalContactsOf final : public NormalContacts {
 
   void prepare(const NormalBatch& batch) override {
     for (std::size_t n = 0; n < batch.members.size(); ++n) {
-      if (n + look_ahead < batch.members.size()) memories_.fetch(batch.contacts[batch.members[n + look_ahead]].slot);
+      if (n + look_ahead < batch.members.size()) memories_.fetch(batch.contacts[batch.members[n + look_ahead]]->slot);
       const std::uint32_t k = batch.members[n];
-      ContactState& c = batch.contacts[k];
-      NormalRow& row = batch.row(k);
+      ContactState& c = *batch.contacts[k];
+      NormalRow& row = batch.rows[k];
       if (c.fresh) {
         touch(c, row);
         row.impulse = row.fixed_impulse;
@@ -121,8 +118,8 @@ class NormalContactsOf final : public NormalContacts {
 
   void conclude(const NormalBatch& batch, double middle) override {
     for (const std::uint32_t k : batch.members) {
-      ContactState& c = batch.contacts[k];
-      NormalRow& row = batch.row(k);
+      ContactState& c = *batch.contacts[k];
+      NormalRow& row = batch.rows[k];
       c.normal_impulse = row.impulse;
       if (!std::exchange(c.fresh, false)) {
         const Approach before = c.approach;
