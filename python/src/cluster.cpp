@@ -107,7 +107,7 @@ py::dict energies(const Cluster& cluster) {
 
 /// Pairs of bodies, walls counting from the number of spheres, overlap [m] and force [N].
 py::dict contacts(const Cluster& cluster) {
-  const auto all = cluster.contacts();
+  const auto& all = cluster.contacts();
   py::array_t<std::uint32_t> pairs({static_cast<py::ssize_t>(all.size()), py::ssize_t(2)});
   std::uint32_t* to = pairs.mutable_data();
   for (const ContactState& c : all) {

@@ -95,6 +95,24 @@ TEST_CASE("the neighbour list never misses an overlap while spheres move, and is
   }
 }
 
+TEST_CASE("the neighbour list says which spheres have moved by more than half its skin, sphere by sphere") {
+  const std::vector<double> radii{1, 1, 1, 1};
+  std::vector<Vec3> positions{{0, 0, 0}, {2.05, 0, 0}, {4.2, 0, 0}, {9, 0, 0}};
+  NeighbourList list(radii, 0.2);
+  CHECK_FALSE(list.lists(positions, 0, 4));  // not made yet
+  REQUIRE(list.update(positions));
+  CHECK(list.lists(positions, 0, 4));
+  positions[2] += Vec3{0.06, 0.06, 0.06};  // by 0.104
+  positions[3] += Vec3{0.099, 0, 0};
+  CHECK(list.lists(positions, 0, 2));
+  CHECK_FALSE(list.lists(positions, 2, 3));
+  CHECK(list.lists(positions, 3, 4));
+  CHECK_FALSE(list.lists(positions, 0, 4));
+  CHECK(list.update(positions));
+  CHECK(list.lists(positions, 2, 3));
+  CHECK_FALSE(list.lists(std::vector<Vec3>(5), 0, 4));  // of others
+}
+
 TEST_CASE("near_pairs rejects what is no sphere") {
   const std::vector<Vec3> one{{0, 0, 0}};
   CHECK_THROWS_WITH(near_pairs(one, std::vector<double>{-1}, 0), "radius = -1: must be finite and > 0");
