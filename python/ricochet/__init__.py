@@ -13,31 +13,55 @@ that names the value and what is accepted.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Generic, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import *  # the laws, as classes Linear(k, c) …, and what needs no shaping
-from ._core import Fit, ImpactBody, Interaction, Law, TangentialContact, Wall, __version__
+from ._core import Fit, ImpactBody, Interaction, Law, TangentialContact, Wall
+from ._core import __version__ as __version__
 
-Number = Union[float, NDArray[np.float64]]
+Array = NDArray[np.float64]
+Number = Union[float, Array]
+Numbers = TypeVar("Numbers", float, Array)  # a number for numbers, an array for arrays
+
+_portion = 100_000  # numbers at a time, between which Ctrl-C is heard
 
 
+def _in_portions(function: Any, *values: ArrayLike) -> Any:
+    """function(*values), elementwise."""
+    together = np.broadcast(*values)  # a ValueError where the shapes do not fit
+    if together.size <= _portion:
+        return function(*values)
+    flat = [v if np.ndim(v) == 0 else np.broadcast_to(np.asarray(v), together.shape).reshape(-1) for v in values]
+    out = np.empty(together.size)
+    for at in range(0, together.size, _portion):
+        part = slice(at, at + _portion)
+        out[part] = function(*(v if np.ndim(v) == 0 else np.asarray(v)[part] for v in flat))
+    return out.reshape(together.shape)
+
+
+@overload
+def mittag_leffler(a: float, b: float, x: float) -> float: ...  # type: ignore
+@overload
+def mittag_leffler(a: ArrayLike, b: ArrayLike, x: ArrayLike) -> Array: ...
 def mittag_leffler(a: ArrayLike, b: ArrayLike, x: ArrayLike) -> Number:
     """E_{a,b}(x) = sum x^k/Gamma(a k + b), elementwise, for 0 < a <= 3, 0 < b <= 120, -1e6 <= x <= 5.
 
     Relative error 1e-13 and 20 roundings of x.
     """
-    np.broadcast(a, b, x)  # a ValueError where the shapes do not fit
-    return _core._mittag_leffler(a, b, x)
+    return _in_portions(_core._mittag_leffler, a, b, x)  # type: ignore[no-any-return]
 
 
+@overload
+def tcol_estimate(coefficient: float, alpha: float) -> float: ...  # type: ignore
+@overload
+def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Array: ...
 def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Number:
     """Estimate (57) of the collision time [s], of A = c^alpha k^(1-alpha)/m [s^(alpha-2)]."""
-    np.broadcast(coefficient, alpha)
-    return _core._tcol_estimate(coefficient, alpha)
+    return _in_portions(_core._tcol_estimate, coefficient, alpha)  # type: ignore[no-any-return]
 
 
 def _broadcast(*values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple[int, ...]]:
@@ -46,27 +70,31 @@ def _broadcast(*values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple
     return [np.ascontiguousarray(a).ravel() for a in arrays], arrays[0].shape
 
 
-def _shaped(flat: NDArray[Any], shape: Tuple[int, ...]) -> Number:
+def _shaped(flat: NDArray[Any], shape: Tuple[int, ...]) -> Any:
     return flat.reshape(shape) if shape else float(flat.reshape(-1)[0])
 
 
-@dataclass(frozen=True)
-class FractionalContact:
+@dataclass(frozen=True, eq=False)
+class FractionalContact(Generic[Numbers]):
     """A binary collision under the fractional law without units; see `fractional_contact`."""
 
-    alpha: Number  #: conversion degree
-    z_star: Number  #: A tcol^(2-alpha), A = c^alpha k^(1-alpha)/m
-    tau: Number  #: tcol A^(1/(2-alpha))
-    en: Number  #: restitution
-    overlap_end: Number  #: [v0 tcol]
-    z_max_overlap: Number  #: A t^(2-alpha) at the greatest overlap
-    t_max_overlap: Number  #: [tcol]
-    max_overlap: Number  #: [v0 tcol]
-    t_max_force: Number  #: [tcol]
-    max_force: Number  #: [m v0/tcol]
+    alpha: Numbers  #: conversion degree
+    z_star: Numbers  #: A tcol^(2-alpha), A = c^alpha k^(1-alpha)/m
+    tau: Numbers  #: tcol A^(1/(2-alpha))
+    en: Numbers  #: restitution
+    overlap_end: Numbers  #: [v0 tcol]
+    z_max_overlap: Numbers  #: A t^(2-alpha) at the greatest overlap
+    t_max_overlap: Numbers  #: [tcol]
+    max_overlap: Numbers  #: [v0 tcol]
+    t_max_force: Numbers  #: [tcol]
+    max_force: Numbers  #: [m v0/tcol]
 
 
-def fractional_contact(alpha: ArrayLike, end: str = "force") -> FractionalContact:
+@overload
+def fractional_contact(alpha: float, end: str = "force") -> FractionalContact[float]: ...  # type: ignore
+@overload
+def fractional_contact(alpha: ArrayLike, end: str = "force") -> FractionalContact[Array]: ...
+def fractional_contact(alpha: ArrayLike, end: str = "force") -> Any:
     """The collision at conversion degree alpha, ended by "force" (-1 <= alpha < 1) or "overlap" (alpha < 0.40088…).
 
     Relative error 1e-12 by force, 1e-12 + 1e-15/en^2 by overlap.
@@ -75,27 +103,31 @@ def fractional_contact(alpha: ArrayLike, end: str = "force") -> FractionalContac
     return FractionalContact(**{k: _shaped(v, shape) for k, v in _core._fractional_contact(flat, end).items()})
 
 
-def conversion_degree(en: ArrayLike, end: str = "force") -> Number:
+@overload
+def conversion_degree(en: float, end: str = "force") -> float: ...  # type: ignore
+@overload
+def conversion_degree(en: ArrayLike, end: str = "force") -> Array: ...
+def conversion_degree(en: ArrayLike, end: str = "force") -> Any:
     """The conversion degree alpha that keeps `en`, in (0, 1], of the velocity."""
     (flat,), shape = _broadcast(en)
     return _shaped(_core._conversion_degree(flat, end), shape)
 
 
-@dataclass(frozen=True)
-class Collision:
+@dataclass(frozen=True, eq=False)
+class Collision(Generic[Numbers]):
     """What a collision did; see `collide`."""
 
     status: Any  #: "ended_by_force", "ended_by_overlap", "permanent_contact", "no_separation", …
-    tcol: Number  #: [s]
-    en: Number  #: restitution
-    max_overlap: Number  #: [m]
-    time_max_overlap: Number  #: [s]
-    max_force: Number  #: [N]
-    time_max_force: Number  #: [s]
-    overlap_end: Number  #: [m]
+    tcol: Numbers  #: [s]
+    en: Numbers  #: restitution
+    max_overlap: Numbers  #: [m]
+    time_max_overlap: Numbers  #: [s]
+    max_force: Numbers  #: [N]
+    time_max_force: Numbers  #: [s]
+    overlap_end: Numbers  #: [m]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ObliqueCollision:
     """What an oblique impact did; see `collide_obliquely`."""
 
@@ -115,14 +147,23 @@ class ObliqueCollision:
     lost: Mapping[str, float]  #: by mechanism [J]
 
 
+@overload
+def collide(  # type: ignore
+    law: Law, velocity: float, mass_eff: float, end: str = "force", method: str = "automatic"
+) -> Collision[float]: ...
+@overload
 def collide(
     law: Law, velocity: ArrayLike, mass_eff: ArrayLike, end: str = "force", method: str = "automatic"
-) -> Collision:
+) -> Collision[Array]: ...
+def collide(
+    law: Law, velocity: ArrayLike, mass_eff: ArrayLike, end: str = "force", method: str = "automatic"
+) -> Any:
     """The binary collision at these impact velocities [m/s] and effective masses [kg].
 
     Ended by "force" or "overlap"; method "automatic", "closed_form" or "numerical". Relative error of tcol and en
     1e-11 and better (<ricochet/collision/collision.hpp> has each law's). A collision that does not end is no error but
-    a status, and its tcol, en and overlap_end are not a number.
+    a status, and its tcol, en and overlap_end are not a number; of a "permanent_contact" they are those at which it has
+    come to rest, en 0. Of "out_of_range" nothing but the status is known, and the other numbers are 0.
     """
     flat, shape = _broadcast(velocity, mass_eff)
     columns = _core._collide(law, *flat, end, method)
@@ -145,7 +186,8 @@ def collide_obliquely(
 ) -> ObliqueCollision:
     """One oblique impact of i on j (a wall, if nothing else is said), `normal` leading from i to j.
 
-    `arm` is "radius" or "contact_point" (the paper's, nearer by half the overlap or so). Relative error 1e-9.
+    `arm` is "radius" or "contact_point" (the paper's, nearer by half the overlap or so). Relative error 1e-9. Where the
+    bodies do not part the status says so, and what they would have after it is not a number.
     """
     other = ImpactBody.wall() if j is None else j
     return ObliqueCollision(**_core._collide_obliquely(law, tangential, i, other, np.asarray(normal, float), end, arm))
@@ -154,6 +196,32 @@ def collide_obliquely(
 _calibrator = _core._DirectCalibrator()
 
 
+@overload
+def calibrate(
+    law: str,
+    tcol: float,
+    en: float,
+    velocity: float = 0.5,
+    mass_eff: float = 7.06858e-6,
+    end: str = "force",
+    stiffness: Optional[float] = None,
+    alpha: Optional[float] = None,
+    stiffening: Optional[float] = None,
+    unreachable: str = "raise",
+) -> Any: ...
+@overload
+def calibrate(
+    law: str,
+    tcol: ArrayLike,
+    en: ArrayLike,
+    velocity: ArrayLike = 0.5,
+    mass_eff: ArrayLike = 7.06858e-6,
+    end: str = "force",
+    stiffness: Optional[ArrayLike] = None,
+    alpha: Optional[float] = None,
+    stiffening: Optional[float] = None,
+    unreachable: str = "raise",
+) -> Dict[str, Array]: ...
 def calibrate(
     law: str,
     tcol: ArrayLike,
@@ -168,12 +236,14 @@ def calibrate(
 ) -> Any:
     """The parameters by which the law of that name collides for `tcol` [s] and keeps `en` of the velocity.
 
-    For numbers a law, for arrays a dict of arrays, one a parameter. What (tcol, en) leave open is held: `stiffness`
-    [kg/s^2], the k of "fractional" and, where it is given, of "fractional-kelvin-voigt"; `alpha` of the laws of real
-    solids ("fractional-kelvin-voigt", "fractional-hertz", "fractional-zener"), by default 0.5, and `stiffening`, k1/k
-    of the last, by default 100. What a law does not hold is a ValueError.
-    A target that the law can't reach is a ValueError that says why and which, or, with unreachable="nan", not a
-    number. Relative error 1e-11 in every parameter that (tcol, en) determine.
+    At an impact of `velocity`, by default 0.5 m/s, and effective mass `mass_eff`, by default 7.06858e-6 kg: two spheres
+    of 3 mm and 1000 kg/m^3. For numbers a law, for arrays a dict of arrays, one a parameter. What (tcol, en) leave open
+    is held: `stiffness` [kg/s^2], the k of "fractional" and, where it is given, of "fractional-kelvin-voigt"; `alpha`
+    of the laws of real solids ("fractional-kelvin-voigt", "fractional-hertz", "fractional-zener"), by default 0.5, and
+    `stiffening`, k1/k of the last, by default 100; these two are numbers, for all targets. What a law does not hold is
+    a ValueError.
+    A target that the law can't reach is a ValueError that says why and which; with unreachable="nan" it is nan in
+    arrays, None for numbers. Relative error 1e-11 in every parameter that (tcol, en) determine.
     """
     if unreachable not in ("raise", "nan"):
         raise ValueError(f"unreachable = {unreachable}: must be raise or nan")
@@ -200,22 +270,48 @@ def fit(
 ) -> Fit:
     """Fits the law of that name to measured rebounds by weighted least squares.
 
-    Impact velocities [m/s], restitutions, standard errors, and collision times [s] where they were measured.
+    Columns of one length: impact velocities [m/s], restitutions, and collision times [s] where they were measured; the
+    standard errors are columns, too, or one number for all. `mass_eff` [kg].
     """
-    empty = np.empty(0)
-    given = [velocity, en] + [c for c in (en_sigma, tcol, tcol_sigma) if c is not None]
-    flat, _ = _broadcast(*given)
-    columns = iter(flat[2:])
-    rest = [empty if c is None else next(columns) for c in (en_sigma, tcol, tcol_sigma)]
-    return _core._fit(law, end, mass_eff, flat[0], flat[1], *rest)
+    v, e = (np.ascontiguousarray(column, dtype=np.float64) for column in (velocity, en))
+    if v.ndim != 1 or e.shape != v.shape:
+        raise ValueError(f"velocity of shape {v.shape}, en of shape {e.shape}: must be two columns of one length")
+    t = np.empty(0) if tcol is None else np.ascontiguousarray(tcol, dtype=np.float64)
+    if tcol is not None and t.shape != v.shape:
+        raise ValueError(f"tcol of shape {t.shape}: must be a column as long as the others")
+    if (tcol is None) != (tcol_sigma is None):
+        raise ValueError("tcol, tcol_sigma: must be given together")
+    sigmas = [
+        np.empty(0) if s is None else np.ascontiguousarray(np.broadcast_to(np.asarray(s, dtype=np.float64), v.shape))
+        for s in (en_sigma, tcol_sigma)
+    ]
+    return _core._fit(law, end, mass_eff, v, e, sigmas[0], t, sigmas[1])
+
+
+def _rows(name: str, values: ArrayLike, count: int) -> NDArray[Any]:
+    """A vector a sphere, or one for all."""
+    given = np.asarray(values, dtype=np.float64)
+    if given.shape not in ((3,), (count, 3)):
+        raise ValueError(f"{name} of shape {given.shape}: must be (3,) or ({count}, 3)")
+    return np.ascontiguousarray(np.broadcast_to(given, (count, 3)))
+
+
+def _whole(values: ArrayLike, count: int) -> Sequence[int]:
+    given = np.asarray(values)
+    if given.dtype.kind not in "iu" or (given < 0).any():
+        raise ValueError(f"materials = {values!r}: must be whole numbers from 0")
+    return [int(number) for number in np.broadcast_to(given, (count,))]
 
 
 class Cluster:
     """Spheres and walls in motion; see <ricochet/motion/cluster.hpp> for the scheme and its order.
 
     Arrays with one row a sphere: positions [m], radii [m], densities [kg/m^3], velocities [m/s], spins [1/s],
-    materials (numbers from 0). `interactions` is one Interaction for all, or a dict {(a, b): Interaction} by pair of
-    materials. `step` [s]; None takes a fortieth of the stiffest contact's time.
+    materials (numbers from 0); one number, or one vector, does for all. `interactions` is one Interaction for all, or a
+    dict {(a, b): Interaction} by pair of materials. `gravity` [m/s^2]; `period` [m], in which space repeats itself along
+    an axis, 0 where it does not (positions are not brought back). `step` [s], at most a 20th of the stiffest contact's
+    time; None takes a fortieth. `solver_tolerance` is that of rigid friction's sweeps. Results do not depend on
+    `threads`. Not to be advanced by two threads of Python at once.
     """
 
     def __init__(
@@ -225,8 +321,8 @@ class Cluster:
         densities: ArrayLike,
         interactions: Union[Interaction, Mapping[Tuple[int, int], Interaction]],
         *,
-        velocities: ArrayLike = 0.0,
-        spins: ArrayLike = 0.0,
+        velocities: ArrayLike = (0.0, 0.0, 0.0),
+        spins: ArrayLike = (0.0, 0.0, 0.0),
         materials: ArrayLike = 0,
         walls: Sequence[Wall] = (),
         gravity: ArrayLike = (0.0, 0.0, 0.0),
@@ -239,19 +335,23 @@ class Cluster:
         if x.ndim != 2 or x.shape[1] != 3:
             raise ValueError(f"positions of shape {x.shape}: must be (n, 3)")
         n = x.shape[0]
-        bodies = [x, *(np.ascontiguousarray(np.broadcast_to(np.asarray(v, float), (n,))) for v in (radii, densities))]
-        bodies += [np.ascontiguousarray(np.broadcast_to(np.asarray(v, float), (n, 3))) for v in (velocities, spins)]
-        bodies.append(np.broadcast_to(np.asarray(materials, int), (n,)).tolist())
+        sizes = [x, *(np.ascontiguousarray(np.broadcast_to(np.asarray(v, float), (n,))) for v in (radii, densities))]
+        bodies = [*sizes, _rows("velocities", velocities, n), _rows("spins", spins, n), _whole(materials, n)]
         by_pair = {(0, 0): interactions} if isinstance(interactions, Interaction) else interactions
         if not isinstance(by_pair, Mapping):
             raise TypeError(f"interactions = {interactions!r}: must be an Interaction or a dict of them")
         pairs = list(by_pair.items())
         around = [pairs, list(walls), np.asarray(gravity, float)]
-        if step is None:
-            step = _core._stiffest_contact(*bodies, *around) / 40
-        self.step = step  #: [s]
+        time = _core._stiffest_contact(*bodies, *around)
+        if step is None and time == 0:
+            raise ValueError("step = None: must be given where no two bodies can touch")
+        self._step = time / 40 if step is None else float(step)
+        if time > 0 and self._step > time / 20:
+            raise ValueError(f"step = {step}: must be at most {time / 20:.6g} s, a 20th of the stiffest contact's time")
         self._never_pulls = all(how.end == "force" for _, how in pairs)
-        self._engine = _core._Cluster(*bodies, *around, np.asarray(period, float), step, threads, solver_tolerance)
+        self._engine = _core._Cluster(
+            *bodies, *around, np.asarray(period, float), self._step, threads, solver_tolerance
+        )
 
     def advance(self, steps: int) -> None:
         """Goes on by that many steps; RuntimeError where a number ceases to be finite."""
@@ -259,6 +359,11 @@ class Cluster:
 
     def __len__(self) -> int:
         return len(self._engine)
+
+    @property
+    def step(self) -> float:
+        """[s]"""
+        return self._step
 
     @property
     def time(self) -> float:

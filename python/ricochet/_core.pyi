@@ -238,7 +238,7 @@ def export_law(
     radius_eff: Optional[float] = ...,
     density: Optional[float] = ...,
     tangential: Union[LinearTangential, MindlinTangential, None] = ...,
-    mu: float = ...,
+    mu: Optional[float] = ...,
 ) -> Snippet: ...
 def tangential_law_for(
     form: str,

@@ -8,6 +8,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -42,6 +44,23 @@ Array filled(std::size_t count, const F& value) {
   return out;
 }
 
+/// work(i) for i = 0 … count − 1, while other threads of Python go on; Ctrl-C is heard some ten times a second.
+template <class Work>
+void each_one(std::size_t count, const Work& work) {
+  using clock = std::chrono::steady_clock;
+  constexpr std::size_t between_looks = 16;
+  for (std::size_t i = 0; i < count;) {
+    {
+      const py::gil_scoped_release others_go_on;
+      const auto until = clock::now() + std::chrono::milliseconds(100);
+      do {
+        for (const std::size_t to = std::min(count, i + between_looks); i < to; ++i) work(i);
+      } while (i < count && clock::now() < until);
+    }
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+}
+
 /// One member of each of these.
 template <class T>
 Array column_of(const std::vector<T>& all, double T::*member) {
@@ -58,6 +77,8 @@ py::object object_of(const AnyLaw& law);
 TangentialLaw tangential_law_of(const py::handle& object);
 
 std::string text_of(CollisionStatus status);
+/// C++ leaves 0 where a collision came to no end; here that is not a number.
+Collision without_zeros(Collision c);
 /// As Python spells it.
 std::string spelled(double value);
 

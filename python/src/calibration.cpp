@@ -95,10 +95,7 @@ py::dict calibrate_all(const DirectCalibrator& calibrator, const std::string& la
   const Held held = held_by(kind, any, alpha, stiffening);
   const Targets targets{view(tcol), view(en), view(velocity), view(mass_eff), k, held};
   Solved solved(kind, targets.en.size());
-  {
-    const py::gil_scoped_release others_go_on;
-    for (std::size_t i = 0; i < targets.en.size(); ++i) solved.put(i, calibrator(targets.request(kind, ends, i)), skip);
-  }
+  each_one(targets.en.size(), [&](std::size_t i) { solved.put(i, calibrator(targets.request(kind, ends, i)), skip); });
   return solved.columns();
 }
 

@@ -78,7 +78,9 @@ ClusterSetup setup(std::vector<Sphere> bodies, const Pairs& interactions, const 
   out.walls = walls;
   out.gravity = vec3_of(gravity);
   for (const auto& [pair, interaction] : interactions)
-    out.interactions.insert({std::minmax(pair.first, pair.second), interaction});
+    if (!out.interactions.insert({std::minmax(pair.first, pair.second), interaction}).second)
+      throw std::invalid_argument("interactions: must have the materials " + std::to_string(pair.first) + " and " +
+                                  std::to_string(pair.second) + " once");
   out.periodic = {vec3_of(period)};
   return out;
 }

@@ -16,13 +16,6 @@ CollideMethod method_of(const std::string& word) {
   throw std::invalid_argument("method = " + word + ": must be automatic, closed_form or numerical");
 }
 
-/// C++ leaves 0 where a collision came to no end; here that is not a number.
-Collision without_zeros(Collision c) {
-  const bool came_to_rest = c.status == CollisionStatus::permanent_contact || c.status == CollisionStatus::breakage;
-  if (!c.separated() && !came_to_rest) c.tcol = c.en = c.overlap_end = std::numeric_limits<double>::quiet_NaN();
-  return c;
-}
-
 /// Of equally many velocities and masses.
 py::dict collide_all(const py::object& object, const Array& velocity, const Array& mass_eff, const std::string& end,
                      const std::string& method) {
@@ -32,10 +25,7 @@ py::dict collide_all(const py::object& object, const Array& velocity, const Arra
   const auto v = view(velocity), m = view(mass_eff);
   std::vector<Collision> all;
   all.reserve(v.size());
-  {
-    const py::gil_scoped_release others_go_on;
-    for (std::size_t i = 0; i < v.size(); ++i) all.push_back(without_zeros(collide(law, Impact{v[i], m[i]}, options)));
-  }
+  each_one(v.size(), [&](std::size_t i) { all.push_back(without_zeros(collide(law, Impact{v[i], m[i]}, options))); });
   py::dict columns;
   py::list status;
   for (const Collision& c : all) status.append(text_of(c.status));
@@ -52,6 +42,12 @@ py::dict collide_all(const py::object& object, const Array& velocity, const Arra
 }
 
 }  // namespace
+
+Collision without_zeros(Collision c) {
+  const bool came_to_rest = c.status == CollisionStatus::permanent_contact || c.status == CollisionStatus::breakage;
+  if (!c.separated() && !came_to_rest) c.tcol = c.en = c.overlap_end = std::numeric_limits<double>::quiet_NaN();
+  return c;
+}
 
 std::string text_of(CollisionStatus status) {
   switch (status) {

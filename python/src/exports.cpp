@@ -19,16 +19,6 @@ py::object object_of(const TangentialLaw& law) {
   return std::visit([](const auto& one) { return py::cast(one); }, law);
 }
 
-py::object tangential_for(const std::string& form, const py::object& normal, double beta0, double tcol, double en,
-                          double velocity, double mass_eff, const std::string& end) {
-  const auto named = tangential_form(form);
-  if (!named) throw std::invalid_argument("form = " + form + ": must be linear, linear-undamped or mindlin");
-  const Target target{tcol, en, {velocity, mass_eff}};
-  const auto found = calibrate_tangential({.form = *named, .beta0 = beta0}, law_of(normal), end_of(end), target);
-  if (const auto* missed = std::get_if<Infeasible>(&found)) throw std::invalid_argument(missed->reason);
-  return object_of(std::get<TangentialCalibration>(found).law);
-}
-
 std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", value);
@@ -50,12 +40,26 @@ Collision obtained(const AnyLaw& law, const Impact& impact, ContactEnd end, std:
   return c;
 }
 
+py::object tangential_for(const std::string& form, const py::object& normal, double beta0, double tcol, double en,
+                          double velocity, double mass_eff, const std::string& end) {
+  const auto named = tangential_form(form);
+  if (!named) throw std::invalid_argument("form = " + form + ": must be linear, linear-undamped or mindlin");
+  const Target target{tcol, en, {velocity, mass_eff}};
+  obtained(law_of(normal), target.impact, end_of(end), tcol, en);
+  const auto found = calibrate_tangential({.form = *named, .beta0 = beta0}, law_of(normal), end_of(end), target);
+  if (const auto* missed = std::get_if<Infeasible>(&found))
+    throw std::invalid_argument("beta0 = " + spelled(beta0) + ": " + missed->reason);
+  return object_of(std::get<TangentialCalibration>(found).law);
+}
+
 Snippet snippet(const std::string& engine, const py::object& object, std::optional<double> tcol,
                 std::optional<double> en, double velocity, double mass_eff, const std::string& end,
                 std::optional<double> radius_eff, std::optional<double> density, const py::object& tangential,
-                double mu) {
+                std::optional<double> mu) {
   const auto named = engine_named(engine);
   if (!named) throw std::invalid_argument("engine = " + engine + ": must be one of engine_names");
+  if (mu && tangential.is_none()) throw std::invalid_argument("mu = " + spelled(*mu) + ": must have a tangential law");
+  if (!mu && !tangential.is_none()) throw std::invalid_argument("mu: must be given with a tangential law");
   const AnyLaw law = law_of(object);
   const Impact impact{velocity, mass_eff};
   const Collision gives = obtained(law, impact, end_of(end), tcol, en);
@@ -66,7 +70,7 @@ Snippet snippet(const std::string& engine, const py::object& object, std::option
                   .impact = impact,
                   .radius_eff = radius_eff,
                   .density = density};
-  if (!tangential.is_none()) what.tangential = TangentialPart{tangential_law_of(tangential), mu};
+  if (!tangential.is_none()) what.tangential = TangentialPart{tangential_law_of(tangential), *mu};
   return export_law(*named, what);
 }
 
@@ -90,7 +94,7 @@ void bind_exports(py::module_& m) {
       "export_law", &snippet, py::arg("engine"), py::arg("law"), py::kw_only(), py::arg("tcol") = py::none(),
       py::arg("en") = py::none(), py::arg("velocity") = 0.5, py::arg("mass_eff") = 7.06858e-6, py::arg("end") = "force",
       py::arg("radius_eff") = py::none(), py::arg("density") = py::none(), py::arg("tangential") = py::none(),
-      py::arg("mu") = 0.0,
+      py::arg("mu") = py::none(),
       "The law in the language of one of engine_names; radius_eff [m] and density [kg/m^3] where an engine wants them. "
       "tcol [s] and en are what it was calibrated for at this impact; a law that gives others is a ValueError.");
   m.def(

@@ -3,6 +3,7 @@
 #include <ricochet/collision/fractional_contact.hpp>
 #include <ricochet/fractional/memory_kernel.hpp>
 #include <ricochet/fractional/mittag_leffler.hpp>
+#include <ricochet/support/require.hpp>
 
 #include <pybind11/stl.h>
 
@@ -15,7 +16,7 @@ py::dict contacts(const Array& alphas, const std::string& word) {
   const ContactEnd end = end_of(word);
   std::vector<FractionalContact> found;
   found.reserve(static_cast<std::size_t>(alphas.size()));
-  for (const double alpha : view(alphas)) found.push_back(fractional_contact(alpha, end));
+  each_one(view(alphas).size(), [&](std::size_t i) { found.push_back(fractional_contact(view(alphas)[i], end)); });
   py::dict columns;
   const auto column = [&](const char* name, double FractionalContact::*of) { columns[name] = column_of(found, of); };
   column("alpha", &FractionalContact::alpha);
@@ -47,7 +48,15 @@ void bind_kernel(py::module_& m) {
       .def_property_readonly("error", &MemoryKernel::error, "largest relative error on [shortest, longest]")
       .def_property_readonly("strengths", column(&Arm::strength), "of the arms [s^(-alpha)]")
       .def_property_readonly("rates", column(&Arm::rate), "of the arms [1/s]")
-      .def("__call__", py::vectorize(&MemoryKernel::operator()), py::arg("t"), "Spring and arms at t >= 0 [s].");
+      .def(
+          "__call__",
+          [](const MemoryKernel& k, const Array& times) {
+            return py::vectorize([&k](double t) {
+              support::require_not_negative("t", t);
+              return k(t);
+            })(times);
+          },
+          py::arg("t"), "Spring and arms at t >= 0 [s].");
   m.def(
       "memory_kernel",
       [](double alpha, double shortest, double longest, double tolerance) {
@@ -71,7 +80,9 @@ void bind_fractional(py::module_& m) {
   m.def("_conversion_degree", [](const Array& en, const std::string& word) {
     const ContactEnd end = end_of(word);
     const auto all = view(en);
-    return filled(all.size(), [&](std::size_t i) { return conversion_degree(all[i], end); });
+    std::vector<double> degrees(all.size());
+    each_one(all.size(), [&](std::size_t i) { degrees[i] = conversion_degree(all[i], end); });
+    return filled(all.size(), [&](std::size_t i) { return degrees[i]; });
   });
   m.def("_tcol_estimate", py::vectorize(&tcol_estimate));
   bind_kernel(m);

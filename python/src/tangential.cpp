@@ -4,6 +4,7 @@
 #include <ricochet/contact/tangential.hpp>
 
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace ricochet::python {
@@ -20,9 +21,8 @@ void bind_parts(py::module_& m) {
   py::class_<Friction>(m, "Friction",
                        "mu(u) = mu_dynamic + (mu_static - mu_dynamic) exp(-decay u), Eq. (35); rolling_arm in contact "
                        "radii (46).")
-      .def(py::init([](double mu_static, const py::object& mu_dynamic, double decay, double rolling_arm) {
-             return Friction(mu_static, mu_dynamic.is_none() ? mu_static : mu_dynamic.cast<double>(), decay,
-                             rolling_arm);
+      .def(py::init([](double mu_static, std::optional<double> mu_dynamic, double decay, double rolling_arm) {
+             return Friction(mu_static, mu_dynamic.value_or(mu_static), decay, rolling_arm);
            }),
            py::arg("mu_static") = 0.0, py::arg("mu_dynamic") = py::none(), py::arg("decay") = 0.0,
            py::arg("rolling_arm") = 0.0)
@@ -44,6 +44,8 @@ void bind_parts(py::module_& m) {
 }
 
 Torsion torsion_of(const std::string& limit, const Spring& spring, double arm) {
+  if (limit == "none" && (spring.stiffness != 0 || spring.damping != 0))
+    throw std::invalid_argument("torsion_spring: must be given with torsion_limit separate or disc");
   if (limit == "none") return {};
   if (limit == "separate") return {Torsion::Limit::separate, spring, arm};
   if (limit == "disc") return {Torsion::Limit::disc, spring, arm};
@@ -51,7 +53,11 @@ Torsion torsion_of(const std::string& limit, const Spring& spring, double arm) {
 }
 
 void bind_contact(py::module_& m) {
-  py::class_<TangentialContact>(m, "TangentialContact", "All that acts in the tangent plane of two materials.")
+  py::class_<TangentialContact>(m, "TangentialContact",
+                                "All that acts in the tangent plane of two materials. torsion_limit: none, separate "
+                                "(a spring [N m] whose moment is at most torsion_arm [contact radii] mu F) or disc "
+                                "(sliding and torsion share the limit of a disc); mu_rolling: a spring [N m] whose "
+                                "moment is at most mu_rolling R* F.")
       .def(py::init([](const py::object& law, const Friction& friction, const std::string& torsion_limit,
                        const Spring& torsion_spring, double torsion_arm, double mu_rolling,
                        const Spring& rolling_spring) {
@@ -59,6 +65,8 @@ void bind_contact(py::module_& m) {
                                        .friction = friction,
                                        .torsion = torsion_of(torsion_limit, torsion_spring, torsion_arm),
                                        .rolling = {mu_rolling, rolling_spring}};
+             if (mu_rolling == 0 && (rolling_spring.stiffness != 0 || rolling_spring.damping != 0))
+               throw std::invalid_argument("rolling_spring: must be given with a mu_rolling > 0");
              check(contact);
              return contact;
            }),
@@ -68,7 +76,9 @@ void bind_contact(py::module_& m) {
 }
 
 void bind_oblique(py::module_& m) {
-  py::class_<ImpactBody>(m, "ImpactBody", "A sphere, or a wall, at the first touch.")
+  py::class_<ImpactBody>(m, "ImpactBody",
+                         "A sphere, or a wall, at the first touch: mass [kg], radius [m], velocity [m/s], spin [1/s]; "
+                         "inertia_ratio: its moment of inertia over mass radius^2, 0.4 of a solid sphere.")
       .def(py::init([](double mass, double radius, const Array& velocity, const Array& spin, double inertia_ratio) {
              return ImpactBody{mass, radius, vec3_of(velocity), vec3_of(spin), inertia_ratio};
            }),
@@ -90,17 +100,31 @@ py::dict losses(const ObliqueLosses& lost) {
   return out;
 }
 
+/// What C++ leaves at 0 where the bodies do not part is no number here.
+ObliqueCollision of_an_end(ObliqueCollision c) {
+  if (c.separated()) return c;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  c.et = c.beta = std::nullopt;
+  for (Vec3* v : {&c.velocity_i, &c.velocity_j, &c.spin_i, &c.spin_j, &c.impulse}) *v = {none, none, none};
+  c.impulse_ratio = c.stick_time = c.slip_time = none;
+  c.lost = {none, none, none, none, none, none};
+  return c;
+}
+
 py::dict collide_obliquely(const py::object& law, const TangentialContact& tangential, const ImpactBody& i,
-                           const ImpactBody& j, const Array& normal, const std::string& end, const std::string& arm) {
+                           const ImpactBody& j, const Array& direction, const std::string& end,
+                           const std::string& arm) {
   if (arm != "radius" && arm != "contact_point")
     throw std::invalid_argument("arm = " + arm + ": must be radius or contact_point");
   const ObliqueOptions options{.end = end_of(end),
                                .arm = arm == "radius" ? ContactArm::radius : ContactArm::contact_point};
-  const ObliqueCollision c = collide(law_of(law), tangential, ObliqueImpact{vec3_of(normal), i, j}, options);
+  const ObliqueCollision c =
+      of_an_end(collide(law_of(law), tangential, ObliqueImpact{vec3_of(direction), i, j}, options));
+  const Collision normal = without_zeros(c.normal);
   py::dict out;
   out["status"] = text_of(c.status);
-  out["tcol"] = c.normal.tcol;
-  out["en"] = c.normal.en;
+  out["tcol"] = normal.tcol;
+  out["en"] = normal.en;
   out["et"] = c.et;
   out["beta"] = c.beta;
   out["impulse_ratio"] = c.impulse_ratio;

@@ -121,3 +121,30 @@ def test_a_drum_that_spins_drags_what_lies_in_it():
     assert abs(spin[1]) * 1.5e-3 == pytest.approx(2.5 * mu * 9.81 * 5e-4, rel=5e-3)
     velocity, spin = velocity_and_spin(0.0)
     assert np.abs(velocity).max() < 1e-6 and np.abs(spin).max() < 1e-6
+
+
+def test_a_step_that_resolves_no_contact_is_refused():
+    law = ricochet.calibrate("linear", 1e-4, 0.9, mass_eff=7.06858e-6)
+    with pytest.raises(ValueError, match="step = 5e-05: must be at most .* s, a 20th of the stiffest contact's time"):
+        pair(law, step=5e-5)
+    assert pair(law).step == pytest.approx(2.5e-6, rel=0.1)
+    with pytest.raises(AttributeError):
+        pair(law).step = 1e-6
+    with pytest.raises(ValueError, match="step = None: must be given where no two bodies can touch"):
+        ricochet.Cluster([[0, 0, 0]], 1e-3, 1000, ricochet.Interaction(law))
+
+
+def test_what_would_be_guessed_is_refused():
+    law = ricochet.Interaction(ricochet.Linear(1000.0, 0.0))
+    two = ([[0, 0, 0], [1, 0, 0]], 1e-3, 1000.0)
+    with pytest.raises(ValueError, match=r"materials = \[0, 0.99\]: must be whole numbers from 0"):
+        ricochet.Cluster(*two, law, materials=[0, 0.99])
+    with pytest.raises(ValueError, match="must have the materials 1 and 0 once"):
+        ricochet.Cluster(*two, {(0, 1): law, (1, 0): law, (0, 0): law, (1, 1): law}, materials=[0, 1])
+    for name in ("velocities", "spins"):
+        with pytest.raises(ValueError, match=rf"{name} of shape \(\): must be \(3,\) or \(2, 3\)"):
+            ricochet.Cluster(*two, law, **{name: 0.5})
+    with pytest.raises(ValueError, match="torsion_spring: must be given with torsion_limit"):
+        ricochet.TangentialContact(torsion_spring=ricochet.Spring(1.0))
+    with pytest.raises(ValueError, match="rolling_spring: must be given with a mu_rolling > 0"):
+        ricochet.TangentialContact(rolling_spring=ricochet.Spring(1.0))

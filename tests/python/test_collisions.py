@@ -3,6 +3,10 @@
 import copy
 import math
 import pickle
+import signal
+import subprocess
+import sys
+import time
 
 import numpy as np
 import pytest
@@ -193,3 +197,72 @@ def test_a_fit_weighs_times_by_their_own_errors():
     # k of a contact ended by force that keeps 0.8 and takes the mean of the times.
     k = ricochet.calibrate("linear", mean, 0.8).k
     assert fit.parameters["k"].value == pytest.approx(k, rel=1e-6)
+
+
+def test_bodies_that_do_not_part_have_no_numbers_after_it():
+    i = ricochet.ImpactBody(1e-5, 1e-3, velocity=(0.1, 0, 1))
+    for law, end, status in (
+        (ricochet.Linear(5000, 10), "overlap", "no_separation"),
+        (ricochet.Fractional(5000, 0.3, 1.2), "force", "permanent_contact"),
+    ):
+        hit = ricochet.collide_obliquely(law, ricochet.TangentialContact(), i, end=end)
+        assert hit.status == status and hit.et is None and hit.beta is None
+        for numbers in (hit.velocity_i, hit.velocity_j, hit.spin_i, hit.spin_j, hit.impulse, list(hit.lost.values())):
+            assert np.isnan(numbers).all()
+        assert np.isnan(hit.impulse_ratio)
+
+
+def test_a_tangential_law_is_for_what_the_normal_one_does():
+    law = ricochet.calibrate("linear", 1e-4, 0.5, mass_eff=1e-3)
+    with pytest.raises(ValueError, match="tcol = 0.0001: the law gives"):
+        ricochet.tangential_law_for("linear", law, beta0=0.5, tcol=1e-4, en=0.5)  # mass_eff forgotten
+    found = ricochet.tangential_law_for("linear", law, beta0=0.5, tcol=1e-4, en=0.5, mass_eff=1e-3)
+    # k_t = 2/7 m (pi^2 + ln^2 beta0)/tcol^2
+    assert found.k_t == pytest.approx(2 / 7 * 1e-3 * (np.pi**2 + np.log(0.5) ** 2) / 1e-8, rel=1e-6)
+    with pytest.raises(ValueError, match="beta0 = 1.5: "):
+        ricochet.tangential_law_for("linear", law, beta0=1.5, tcol=1e-4, en=0.5, mass_eff=1e-3)
+
+
+def test_friction_and_its_spring_are_exported_together():
+    law = ricochet.calibrate("linear", 1e-4, 0.5)
+    with pytest.raises(ValueError, match="mu = 0.3: must have a tangential law"):
+        ricochet.export_law("lammps", law, mu=0.3)
+    with pytest.raises(ValueError, match="mu: must be given with a tangential law"):
+        ricochet.export_law("lammps", law, tangential=ricochet.LinearTangential(1000.0))
+
+
+def test_columns_that_were_measured_have_one_length():
+    v, en = np.array([0.1, 0.2, 0.4]), np.array([0.93, 0.92, 0.9])
+    for wrong in ((v[:, None], en), (v, 0.9), (v, en[:2])):
+        with pytest.raises(ValueError, match="must be two columns of one length"):
+            ricochet.fit("linear", *wrong)
+    with pytest.raises(ValueError, match="tcol, tcol_sigma: must be given together"):
+        ricochet.fit("linear", v, en, tcol=[1e-4] * 3)
+    assert ricochet.fit("linear", v, en, en_sigma=0.01).observations == 3
+
+
+def test_the_kernel_begins_at_0():
+    kernel = ricochet.memory_kernel(0.3, 1e-6, 1e-3)
+    for t in (-1.0, np.nan, [0.0, -1e-9]):
+        with pytest.raises(ValueError, match="t = .*: must be"):
+            kernel(t)
+    assert kernel(0.0) > kernel(1e-6)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "ricochet.collide(ricochet.FractionalHertz(1e6, 1e4, 0.5), np.linspace(0.1, 1, 100000), 1e-6)",
+        "ricochet.calibrate('fractional-hertz', 1e-4, np.linspace(0.3, 0.9, 100000))",
+        "ricochet.mittag_leffler(1.5, 2.0, np.linspace(-16, 2, 100_000_000))",
+    ],
+)
+def test_ctrl_c_ends_a_call_of_many_numbers(call):
+    # The program says when it begins; after a while it is interrupted, long before it would be done.
+    program = f"import numpy as np, ricochet; print('begins', flush=True); {call}"
+    child = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert child.stdout.readline() == "begins\n"
+    time.sleep(0.5)
+    child.send_signal(signal.SIGINT)
+    _, said = child.communicate(timeout=60)
+    assert child.returncode != 0 and "KeyboardInterrupt" in said

@@ -88,9 +88,50 @@ def test_mypy_finds_no_fault_with_the_package_and_its_examples(tmp_path):
     assert mypy("mypy", *examples, tmp_path=tmp_path) == ""
 
 
+TYPED = """
+from typing import Dict, Optional
+import numpy as np
+from numpy.typing import NDArray
+import ricochet
+from ricochet import Collision, FractionalContact
+
+Array = NDArray[np.float64]
+number: float = ricochet.mittag_leffler(1.5, 2.0, -3.0)
+numbers: Array = ricochet.mittag_leffler(1.5, 2.0, np.linspace(-3.0, 0.0, 5))
+listed: Array = ricochet.tcol_estimate([1e6, 2e6], 0.3)
+degree: float = ricochet.conversion_degree(0.5)
+law: ricochet.Linear = ricochet.calibrate("linear", 1e-4, 0.5)
+maybe: Optional[ricochet.Law] = ricochet.calibrate("linear", 1e-4, 0.5, unreachable="nan")
+columns: Dict[str, Array] = ricochet.calibrate("tsuji", np.array([1e-4, 2e-4]), 0.5)
+one: Collision[float] = ricochet.collide(law, velocity=0.5, mass_eff=7.06858e-6)
+print(round(one.en, 9), one.status)
+many = ricochet.collide(law, np.array([0.1, 1.0]), 1e-5)
+print(many.en.mean(), many.tcol[0], many.en[many.status == "ended_by_force"])
+contact: FractionalContact[float] = ricochet.fractional_contact(0.3)
+print(contact.max_overlap + 1.0, ricochet.__version__)
+grains = ricochet.Cluster([[0.0, 0.0, 0.0]], 1e-3, 1000.0, ricochet.Interaction(law), step=1e-6)
+grains.advance(3)
+print(grains.positions.shape, grains.energy["total"] + grains.step)
+"""
+
+
+def test_mypy_accepts_numbers_where_numbers_go_in_and_arrays_where_arrays_do(tmp_path):
+    program = tmp_path / "typed.py"
+    program.write_text(TYPED)
+    assert mypy("mypy", "--strict", str(program), tmp_path=tmp_path) == ""
+    subprocess.run([sys.executable, str(program)], check=True, stdout=subprocess.DEVNULL)
+
+
 def test_mypy_sees_what_is_wrong(tmp_path):
     wrong = tmp_path / "wrong.py"
-    lines = ("import ricochet", "ricochet.Linear(k=1.0)", "ricochet.Linear(1.0, 2.0).k = 3.0", "ricochet.fit('linear')")
-    wrong.write_text("\n".join(lines))
+    lines = (
+        "ricochet.Linear(k=1.0)",
+        "ricochet.Linear(1.0, 2.0).k = 3.0",
+        "ricochet.fit('linear')",
+        "ricochet.calibrate('linear', [1e-4, 2e-4], 0.5).k",
+        "ricochet.collide(ricochet.Linear(1.0, 2.0), 0.5, 1.0).en.mean()",
+        "ricochet.Cluster([[0, 0, 0]], 1, 1, ricochet.Interaction(ricochet.Linear(1.0, 2.0)), step=1).step = 2.0",
+    )
+    wrong.write_text("\n".join(["import ricochet", *lines]))
     said = mypy("mypy", str(wrong), tmp_path=tmp_path)
-    assert "wrong.py:2" in said and "wrong.py:3" in said and "wrong.py:4" in said
+    assert [n for n in range(2, 2 + len(lines)) if f"wrong.py:{n}" not in said] == []

@@ -291,3 +291,53 @@ TEST_CASE("conformance: nothing is said of what was not run, and of what is exac
   CHECK(g.verdict == Verdict::exact);
   CHECK(causes(a, result, g).empty());
 }
+
+TEST_CASE("conformance: steps of what was asked converge to it, wherever a few coarse ones seem to go") {
+  // Four runs that were engines' own: their errors are irregular, and of one sign.
+  const Answered a = answered_case("dem01-fall");
+  CaseResult runs{a.of.name};
+  for (const int steps : {50, 100, 200, 400})
+    runs.runs.push_back(half_step_run(a.of, steps, Velocities::at_steps).value());
+  CHECK(grade(a, &runs).verdict == Verdict::elsewhere);
+  const CaseGrade g = explained(a, &runs);
+  CHECK(g.verdict == Verdict::converges);
+  REQUIRE(g.causes.size() == 1);
+  CHECK(g.causes[0].as_asked);
+  for (const Graded& one : g.answers) CHECK(std::abs(one.limit.value) <= one.limit.uncertainty + one.floor);
+  // A hundred-thousandth of the scale beside, nothing is repeated.
+  for (Run& run : runs.runs) run.bodies[0].position.x += 1e-5 * a.answers[0].scale, run.bodies[0].velocity.x += 1e-5;
+  CHECK(explained(a, &runs).verdict == Verdict::elsewhere);
+}
+
+TEST_CASE("conformance: of forces that feel no velocity none is told") {
+  for (const auto& [name, feels] : {std::pair("normal-elastic", false),
+                                    {"normal-linear-force", true},
+                                    {"chain-five-beads", false},
+                                    {"wall-elastic", false}}) {
+    CAPTURE(name);
+    const Answered a = answered_case(name);
+    CaseResult runs{a.of.name};
+    for (const int steps : a.of.steps) runs.runs.push_back(half_step_run(a.of, steps, Velocities::at_steps).value());
+    const CaseGrade g = explained(a, &runs);
+    REQUIRE(g.causes.size() == 1);
+    CHECK((g.causes[0].what.find("velocity of half a step") != std::string::npos) == feels);
+    CHECK(g.causes[0].what.find("every run repeated here") != std::string::npos);
+  }
+}
+
+TEST_CASE("conformance: what slides on a floor is explained in numbers or not at all") {
+  const Answered a = answered_case("dem04-sliding-to-rolling");
+  for (const double by : {1e-4, 0.1, -0.1, 1.0}) {
+    CAPTURE(by);
+    CaseResult runs{a.of.name};
+    for (const int steps : a.of.steps) {
+      Run run{steps, a.solution.bodies};
+      run.bodies[0].velocity.y += by * a.answers[0].scale;
+      runs.runs.push_back(run);
+    }
+    const CaseGrade g = explained(a, &runs);
+    CHECK(g.verdict == Verdict::elsewhere);
+    for (const Cause& c : g.causes) CHECK(std::isfinite(c.misfit));
+    CHECK(g.causes.empty());
+  }
+}

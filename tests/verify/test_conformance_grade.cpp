@@ -152,6 +152,19 @@ TEST_CASE("conformance: irregular errors of first order are not extrapolated") {
   CHECK(std::abs(l.value) < l.uncertainty);
 }
 
+TEST_CASE("conformance: errors that fall like an order below 1 are not said to go elsewhere") {
+  const std::vector<double> h{1. / 25, 1. / 50, 1. / 100, 1. / 200, 1. / 400, 1. / 800};
+  for (const double order : {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
+    CAPTURE(order);
+    std::vector<double> values;
+    for (const double one : h) values.push_back(0.1 * std::pow(one, order));
+    const Limit limit = limit_of(h, values, 1e-12);
+    CHECK(limit.settles);
+    CHECK(std::abs(limit.value) <= limit.uncertainty);
+    CHECK(limit.uncertainty <= 2.1 * values.back());  // and are not known to less than that
+  }
+}
+
 TEST_CASE("conformance: how fast extrapolations must fall to be believed") {
   // a h + b h^q: their differences fall by 2^−q; 0.35 is q = 1.515.
   CHECK(limit_of_function([](double h) { return h + std::pow(h, 1.53); }).smooth);

@@ -365,6 +365,17 @@ TEST_CASE("verify conformance: what ran nothing or broke down does not pass, and
   const Ran ran = run({"--results", broken, "--format", "json"});
   CHECK(ran.code == 1);
   CHECK(has(ran.out, "E 1: normal-linear-force: runs (failed: segfault)"));
+  // Whatever runs there are beside, few or enough.
+  const Answered fine = answered_case("wall-elastic");
+  for (const std::size_t count : {std::size_t(3), fine.of.steps.size()}) {
+    CaseResult some =
+        off_by(fine, {fine.of.steps.begin(), fine.of.steps.begin() + std::ptrdiff_t(count)}, [](int) { return 0.0; });
+    some.note = "Failed: at 900 steps";
+    std::ofstream(folder / "partly.csv") << results_text({"E", "1", "", "", {some}});
+    const Ran partly = run({"--results", folder / "partly.csv", "--format", "json"});
+    CHECK(partly.code == 1);
+    CHECK(has(partly.out, "E 1: wall-elastic: runs (Failed: at 900 steps"));
+  }
   CHECK(run({"--list", "--results", stored}).code == 2);
   CHECK(run({"--cases", folder / "cases", "--badge", folder / "badges"}).code == 2);
   CHECK(run({"--run", "ricochet", "--report", folder / "page.html"}).code == 2);

@@ -177,14 +177,22 @@ std::optional<double> misfit_of_steps(const Case& as, Velocities velocities, con
   return worst;
 }
 
+/// Without dashpots and memories no force tells what velocity it takes.
+bool feels_velocities(const Case& c) {
+  const auto feels = [](const std::optional<Meeting>& m) { return m && has_dashpot(m->law) && values(m->law)[1] != 0; };
+  return c.tangential || feels(c.law) || feels(c.wall_law);
+}
+
 /// The stepping that repeats every run, of the two.
 std::optional<Cause> repeated_by(const Case& as, const std::string& what, const CaseResult& result,
                                  const CaseGrade& grade) {
   for (const Velocities velocities : {Velocities::at_steps, Velocities::behind}) {
     const auto misfit = misfit_of_steps(as, velocities, result, grade);
-    if (misfit && *misfit <= repeated_to)
-      return Cause{what + "forces take the velocity of half a step before: every run repeated here to rounding", true,
-                   *misfit};
+    if (!misfit || *misfit > repeated_to) continue;
+    return Cause{.what = fmt::format("{}{}: every run repeated here to rounding", what,
+                                     feels_velocities(as) ? half_a_step_before : "velocity Verlet"),
+                 .repeated = true,
+                 .misfit = *misfit};
   }
   return std::nullopt;
 }
@@ -203,6 +211,11 @@ std::vector<double> required(const CaseGrade& grade, const Solution& of) {
   for (const Graded& g : grade.answers)
     if (g.answer.required) all.push_back((number(of, g.answer) - g.answer.value) / g.answer.scale);
   return all;
+}
+
+bool is_finite(const Prediction& p) {
+  return std::isfinite(p.error) &&
+         std::all_of(p.at_radius.begin(), p.at_radius.end(), [](double off) { return std::isfinite(off); });
 }
 
 std::vector<double> change(const std::vector<double>& from, std::vector<double> to, double overlaps) {
@@ -237,6 +250,7 @@ std::optional<Prediction> answered_anew(const Case& c, const CaseGrade& grade) {
   try {
     const Solution radius = c.solver(c, ContactArm::radius);
     Prediction all{required(grade, radius), {}, radius.error};
+    if (!is_finite(all)) return std::nullopt;
     if (!c.tangential) return all;
     all.moved = {change(all.at_radius, required(grade, c.solver(c, ContactArm::contact_point)), 0.5)};
     const bool damped = spring(c.tangential->law, 1).damping > 0;
@@ -389,8 +403,13 @@ std::vector<Cause> by_limits(const Case& of, const CaseGrade& grade) {
 std::vector<Cause> causes(const Answered& answered, const CaseResult& result, const CaseGrade& grade) {
   if (grade.verdict == Verdict::exact || grade.verdict == Verdict::not_run) return {};
   std::vector<Cause> repeated;
-  if (const auto cause = repeated_by(answered.of, "", result, grade)) repeated.push_back(*cause);
-  if (grade.verdict == Verdict::converges) return repeated;
+  if (auto cause = repeated_by(answered.of, "", result, grade)) {
+    // Few digits are met by much.
+    cause->as_asked = std::all_of(grade.answers.begin(), grade.answers.end(),
+                                  [](const Graded& g) { return !g.answer.required || g.digits <= repeated_to; });
+    repeated.push_back(*cause);
+  }
+  if (grade.verdict == Verdict::converges || (!repeated.empty() && repeated.front().as_asked)) return repeated;
   for (const Misunderstanding& m : misunderstandings(end_of(answered.of))) {
     const std::optional<Case> other = m.of(answered.of);
     if (!other || !half_step_run(*other, result.runs.front().steps, Velocities::at_steps)) continue;
@@ -406,6 +425,7 @@ CaseGrade explained(const Answered& answered, const CaseResult* result) {
   if (result) all.causes = causes(answered, *result, all);
   const auto is_rule = [](const Cause& c) { return c.rule; };
   if (std::any_of(all.causes.begin(), all.causes.end(), is_rule)) all.verdict = Verdict::another_rule;
+  if (!all.causes.empty() && all.causes.front().as_asked) note_that_it_converges(all);
   return all;
 }
 

@@ -149,6 +149,16 @@ double measured_to(const Case& of, const Run& run, const Asked& asked) {
   }
 }
 
+void note_that_it_converges(CaseGrade& grade) {
+  for (Graded& g : grade.answers) {
+    if (g.verdict <= Verdict::converges) continue;
+    g.limit.uncertainty = std::max(g.limit.uncertainty, std::abs(g.limit.value));
+    g.verdict = Verdict::converges;
+    observe(g);
+  }
+  grade.verdict = std::min(grade.verdict, Verdict::converges);
+}
+
 const Graded* CaseGrade::worst() const {
   const Graded* worst = nullptr;
   const auto weight = [](const Graded& g) {
@@ -177,7 +187,10 @@ CaseGrade grade(const Answered& answered, const CaseResult* result) {
   CaseGrade grade{.of = &answered.of};
   grade.note = result ? result->note : "not in the file";
   if (!result || result->runs.empty()) return grade;
-  if (const std::string why = too_little(result->runs); !why.empty()) return grade.note = why, grade;
+  if (const std::string why = too_little(result->runs); !why.empty()) {
+    grade.note += (grade.note.empty() ? "" : "; ") + why;
+    return grade;
+  }
   grade.verdict = Verdict::exact;
   for (const Answer& answer : answered.answers) {
     if (!reported(*result, answer.quantity)) continue;

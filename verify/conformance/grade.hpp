@@ -59,7 +59,9 @@ struct Limit {
 /// closer. Of six values of irregular errors one set in fourteen looks smooth; its limit is farther off than that in
 /// one of four hundred (than twice the last D in one of four). Rounding is raised to (h₁ + h₂)/(h₁ − h₂) `digits` by
 /// the extrapolation, which counts on top. Otherwise the limit is the finest value, and errors of first order, |d(h) −
-/// L| ≤ K h, are off by K h there: K is taken as twice the greatest |d(h) − d(finest)|/h. Values that do not settle
+/// L| ≤ K h, are off by K h there: K is taken as twice the greatest |d(h) − d(finest)|/h. Where the changes of the last
+/// values fall twice like an order p below 1, e_n = D r^{−p}/(1 − r^{−p}) of the last of them, and the uncertainty is at
+/// least twice that. Values that do not settle
 /// (the greater of the last two differences of neighbours, over h, exceeds 2.5 times the greatest of those before: over
 /// two halvings that is an order below 1/3) are taken to wander on: the limit is known to twice the greater of those
 /// two differences.
@@ -90,6 +92,7 @@ struct Cause {
   bool repeated = false;  ///< every run was repeated here to rounding
   double misfit = 0;      ///< greatest difference, shares of scale, at the runs or in the limit
   bool rule = false;      ///< a rule for tangential springs that engines have and say, and nothing else
+  bool as_asked = false;  ///< repeated by steps of what was asked, which converge to the answer
 };
 
 struct CaseGrade {
@@ -116,6 +119,10 @@ std::vector<Answered> answered(const std::vector<Case>& cases);
 
 /// `result`: nullptr where the engine's file does not have the case. Without causes.
 CaseGrade grade(const Answered& answered, const CaseResult* result);
+
+/// The grade of runs of which it is known otherwise that they converge to the answer: where their limits seemed to be
+/// elsewhere, or none, they were known to no better than by how much they are off it.
+void note_that_it_converges(CaseGrade& grade);
 
 /// What an end state says of an asked number, `time` [s] after the touch.
 double measured(const Case& of, const Run& run, const Asked& asked);

@@ -42,6 +42,21 @@ double wandering(const std::vector<double>& h, const std::vector<double>& values
   return fine > most_growth * coarse ? last : 0;
 }
 
+/// How far off the finest value is if the last two orders that its neighbours' changes show are both below 1, by the
+/// lower of them; else 0.
+double slow_tail(const std::vector<double>& h, const std::vector<double>& values) {
+  const std::vector<double> gaps = differences(values);
+  const std::size_t last = gaps.size() - 1;
+  double order = 1;
+  for (const std::size_t i : {last - 1, last}) {
+    const double shown = std::log(gaps[i - 1] / gaps[i]) / std::log(h[i] / h[i + 1]);
+    if (!(shown < 1)) return 0;
+    order = std::min(order, std::max(shown, 1.0 / 3));
+  }
+  const double left = std::pow(h[last + 1] / h[last], order);
+  return gaps[last] * left / (1 - left);
+}
+
 }  // namespace
 
 Limit limit_of(const std::vector<double>& h, const std::vector<double>& values, double floor, double digits) {
@@ -67,6 +82,7 @@ Limit limit_of(const std::vector<double>& h, const std::vector<double>& values, 
   }
   for (std::size_t i = 0; i + 1 < h.size(); ++i)
     limit.uncertainty = std::max(limit.uncertainty, spread * h.back() * std::abs(values[i] - values.back()) / h[i]);
+  limit.uncertainty = std::max(limit.uncertainty, spread * slow_tail(h, values));
   return limit;
 }
 

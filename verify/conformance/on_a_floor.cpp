@@ -32,6 +32,7 @@ class Floor {
     const Vec3 pull = tangential(of.gravity, normal_);
     const Vec3 along = norm(pull) > 0 ? pull : tangential(body_.velocity, normal_);
     if (!(pressure > 0) || !(norm(along) > 0)) throw std::logic_error("nothing moves on the floor of " + of.name);
+    if (t.friction.mu_static() > 0 && !compliant(t.law)) throw std::logic_error("rigid friction in " + of.name);
     forward_ = along / norm(along);
     pull_ = dot(pull, forward_);
     const double overlap = body_.radius - dot(body_.position - of.walls.front().point, normal_);
@@ -42,7 +43,7 @@ class Floor {
 
   /// What a step that does not resolve how the spring is loaded by the first slip takes too much of the velocity [m/s].
   double unresolved(double first_slip) const {
-    if (!(std::abs(first_slip) > 0)) return 0;
+    if (!(std::abs(first_slip) > 0) || !(slide_.limit > 0)) return 0;
     const double loading = slide_.limit / (slide_.stiffness * std::abs(first_slip));
     return 0.5 * slide_.limit / body_.mass * loading;
   }

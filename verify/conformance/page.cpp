@@ -1,6 +1,7 @@
 #include "page.hpp"
 
 #include "badge.hpp"
+#include "causes.hpp"
 #include "curves.hpp"
 #include "groups.hpp"
 #include "matrix.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace ricochet::verify::conformance {
@@ -53,14 +55,14 @@ std::string right_throughout(const EngineGrade& e) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// The greatest error at about a hundred steps of what converges to the answer.
-double greatest_at_100(const EngineGrade& e) {
-  double most = 0;
+/// The greatest error at a hundred steps of what converges to the answer and was run so; nothing where none was.
+std::optional<double> greatest_at_100(const EngineGrade& e) {
+  std::optional<double> most;
   for (const CaseGrade& c : e.cases) {
     if (c.verdict != Verdict::converges) continue;
     const std::vector<double>& steps = c.worst()->steps_in_scale;
-    const auto at = std::find_if(steps.begin(), steps.end(), [](double n) { return n >= 100; });
-    if (at != steps.end()) most = std::max(most, c.error_at(static_cast<std::size_t>(at - steps.begin())));
+    const auto at = std::find(steps.begin(), steps.end(), 100);
+    if (at != steps.end()) most = std::max(most.value_or(0), c.error_at(static_cast<std::size_t>(at - steps.begin())));
   }
   return most;
 }
@@ -70,16 +72,17 @@ std::string found(const EngineGrade& e) {
       fmt::format("{} of the {} cases that it ran converge to the answer or are exact.", e.right(), e.run());
   const std::string families = right_throughout(e);
   if (!families.empty()) said += fmt::format(" All that was run is right in: {}.", families);
-  if (e.count(Verdict::converges) > 0)
+  if (const auto most = greatest_at_100(e))
     said += fmt::format(" At 100 steps a collision, what converges is off by {} % of its scale at most.",
-                        console::significant(100 * greatest_at_100(e), 2));
+                        console::significant(100 * *most, 2));
   for (const auto& [verdict, words] :
        {std::pair(Verdict::another_rule, "By another rule than was asked"),
         std::pair(Verdict::elsewhere, "Converging elsewhere"), std::pair(Verdict::does_not_converge, "Without a limit"),
         std::pair(Verdict::too_coarse, "With steps too coarse to tell")})
     if (e.count(verdict) > 0) said += fmt::format(" {}: {}.", words, e.count(verdict));
   const auto repeated = std::count_if(e.cases.begin(), e.cases.end(), [](const CaseGrade& c) {
-    return c.verdict == Verdict::converges && !c.causes.empty() && c.causes.front().repeated;
+    return c.verdict == Verdict::converges && !c.causes.empty() &&
+           c.causes.front().what.starts_with(half_a_step_before);
   });
   if (repeated > 0)
     said += fmt::format(

@@ -2,6 +2,7 @@
 
 #include <console/csv.hpp>
 #include <console/exit.hpp>
+#include <console/harmless.hpp>
 #include <console/input.hpp>
 #include <console/number.hpp>
 #include <console/table.hpp>
@@ -11,12 +12,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <set>
 
 namespace ricochet::verify::conformance {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 enum Column { name, steps, body, x, y, z, vx, vy, vz, wx, wy, wz, contact_time, max_overlap, note };
 constexpr std::array columns{console::CsvColumn{"case", "", true},
@@ -40,10 +44,7 @@ constexpr double greatest = 1e100;
 /// Words of a file that go on to terminals and other files: no control characters, no beginning like a formula's.
 std::string harmless(std::string_view text) {
   while (!text.empty() && std::string_view("=+-@ ").find(text.front()) != std::string_view::npos) text.remove_prefix(1);
-  std::string words(text);
-  for (char& c : words)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return words;
+  return console::without_controls(std::string(text));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -102,9 +103,20 @@ class Printing {
     // Units may differ by column.
     unit_[column] = std::max(unit_[column], half_unit(value, s.digits));
   }
-  double rounded(Column column, double value) const { return fixed_ ? unit_[column] : half_unit(value, digits_); }
+  double rounded(Column column, double value) const { return fixed_ ? unit(column) : half_unit(value, digits_); }
 
  private:
+  /// Of a column that is 0 throughout that of its neighbours, which have the same unit, else of what has no other.
+  double unit(Column column) const {
+    if (unit_[column] > 0) return unit_[column];
+    double of_kind = 0;
+    if (column >= x && column <= wz) {
+      const int first = x + (column - x) / 3 * 3;
+      for (int k = first; k < first + 3; ++k) of_kind = std::max(of_kind, unit_[static_cast<std::size_t>(k)]);
+    }
+    return of_kind > 0 ? of_kind : 0.5 * std::pow(10, -places_);
+  }
+
   int digits_ = 0, places_ = 0;
   bool fixed_ = true;
   std::array<double, columns.size()> unit_{};
@@ -214,6 +226,9 @@ const CaseResult* Results::find(const std::string& wanted) const {
 }
 
 Results read_results(const std::string& path, const std::vector<Case>& cases) {
+  // For its remarks, then for its rows.
+  if (std::error_code error; fs::exists(path, error) && !fs::is_regular_file(path, error))
+    throw console::BadInput(path + ": must be a file, as it is read twice; a pipe's text goes to one first");
   const std::string text = console::read_text(path);
   Results results{remark(text, "engine"), remark(text, "version"), remark(text, "date"), remark(text, "by")};
   for (const auto& [key, value] : {std::pair("engine", results.engine), std::pair("version", results.version)})

@@ -62,7 +62,11 @@ Json json(const CaseGrade& grade) {
   Json answers = Json::array(), causes = Json::array();
   for (const Graded& g : grade.answers) answers.push_back(json(g));
   for (const Cause& c : grade.causes)
-    causes.push_back({{"cause", c.what}, {"repeated", c.repeated}, {"rule", c.rule}, {"misfit", c.misfit}});
+    causes.push_back({{"cause", c.what},
+                      {"repeated", c.repeated},
+                      {"as_asked", c.as_asked},
+                      {"rule", c.rule},
+                      {"misfit", c.misfit}});
   Json energy = nullptr;
   if (grade.energy)
     energy = {{"exact", grade.energy->exact},

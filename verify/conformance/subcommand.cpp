@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -61,19 +62,24 @@ EngineGrade graded(const std::string& file, const std::vector<Answered>& all, co
   return engine;
 }
 
+/// The engine broke down, in some of the runs or in all.
+bool tells_of_failure(std::string note) {
+  std::transform(note.begin(), note.end(), note.begin(), [](unsigned char c) { return std::tolower(c); });
+  return note.starts_with("failed");
+}
+
 /// Right is what converges to the answer or is exact; what was not run is neither.
 void add_gates(StudyResult& result, const EngineGrade& engine) {
   result.gates.push_back(
       at_least(label(engine.results) + ": cases that could be graded", static_cast<double>(engine.run()), 1));
   for (const CaseGrade& c : engine.cases) {
     const std::string name = fmt::format("{}: {}", label(engine.results), c.of->name);
-    if (c.verdict == Verdict::not_run && c.note.starts_with("failed"))
-      result.gates.push_back(holds(fmt::format("{}: runs ({})", name, c.note), false));
-    else if (c.verdict == Verdict::too_coarse)
+    if (tells_of_failure(c.note)) result.gates.push_back(holds(fmt::format("{}: runs ({})", name, c.note), false));
+    if (c.verdict == Verdict::too_coarse)
       result.skipped.push_back(name + " (steps too coarse to tell)");
-    else if (c.verdict == Verdict::not_run)
-      result.skipped.push_back(fmt::format("{} ({})", name, c.note));
-    else if (c.verdict == Verdict::does_not_converge)
+    else if (c.verdict == Verdict::not_run) {
+      if (!tells_of_failure(c.note)) result.skipped.push_back(fmt::format("{} ({})", name, c.note));
+    } else if (c.verdict == Verdict::does_not_converge)
       result.gates.push_back(holds(name + ": converges", false));
     else
       result.gates.push_back(at_most(name + ": |limit|, share of scale", std::abs(c.worst()->limit.value),
@@ -89,7 +95,8 @@ class Conformance : public Study {
   }
   std::vector<console::NamedFile> inputs() const override {
     std::vector<console::NamedFile> all;
-    for (const std::string& path : results_) all.push_back({"--results", path});
+    for (const std::string& path : results_)
+      for (const std::string& file : files_of(path)) all.push_back({"--results", file});
     return all;
   }
   std::vector<console::NamedFile> outputs() const override { return {{"--report", page_}}; }
@@ -167,8 +174,8 @@ class Conformance : public Study {
     }
     result.tables = {engine_table(engines), side_by_side(engines), cause_table(engines)};
     result.data = grade_table(engines);
-    result.verdict = fmt::format("{} engines, {} cases; {} of {} that were run converge to the answer.", engines.size(),
-                                 cases.size(), right, runs);
+    result.verdict = fmt::format("{} engine{}, {} cases; {} of {} that were run converge to the answer.",
+                                 engines.size(), engines.size() == 1 ? "" : "s", cases.size(), right, runs);
     if (!badges_.empty()) badge_files_ = badges_of(engines);
     if (!page_.empty()) page_text_ = conformance_page(engines, facts(true));
     return result;
