@@ -269,6 +269,17 @@ TEST_CASE("conformance: the page says what is right, what is not and why, and wh
   CHECK(count(">ViscElPhys has no torsion<") == 1);
 }
 
+TEST_CASE("conformance: what is said of 100 steps was run with 100 steps") {
+  const Answered a = answered_case("wall-elastic");
+  const auto page_of = [&](const std::vector<int>& steps) {
+    const CaseResult runs = off_by(a, steps, [](int n) { return 0.7 / n; });
+    return conformance_page({EngineGrade{{"E", "1", "", ""}, {explained(a, &runs)}}}, {{"version", "Ricochet 0"}});
+  };
+  CHECK(has(page_of({25, 50, 100, 200}), "At 100 steps a collision, what converges is off by 0.7 % of its scale"));
+  for (const std::vector<int>& steps : {std::vector{10, 20, 40, 80}, {1000, 2000, 4000, 8000}, {20, 60, 180, 540}})
+    CHECK_FALSE(has(page_of(steps), "At 100 steps"));
+}
+
 TEST_CASE("conformance: the curves are of the greatest error of a family's cases at each step") {
   const Case straight{.name = "a", .family = "normal"}, other{.name = "b", .family = "normal"},
       slanted{.name = "c", .family = "oblique"}, spinning{.name = "d", .family = "torsion"};

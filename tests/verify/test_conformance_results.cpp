@@ -106,6 +106,11 @@ TEST_CASE("conformance: what printing takes of numbers is read off the file") {
     CHECK(f.bodies[0].position.x == Approx(0.5e-6));
     CHECK(f.bodies[0].velocity.y == Approx(0.5e-6));
     CHECK(f.bodies[0].spin.z == Approx(0.5e-6));
+    // Zeros throughout are as open as their neighbours, or as all.
+    CHECK(f.bodies[0].position.y == Approx(0.5e-6));
+    CHECK(f.bodies[0].spin.x == Approx(0.5e-6));
+    const Rounded still = rounded("dem05,25,1,0.01,0.00,-3.50,0.00,0.00,0.00,0.00,0.00,0.00,,,\n");
+    CHECK(still.bodies[0].velocity.y == Approx(0.5e-2));
     const std::string millimetres = head + "case,steps,body,x [mm],y,z,vx,vy,vz,wx,wy,wz\n" +
                                     "dem05,25,1,12.345678,0.000000,1.000000,1.000000,0.000001,0.100000,0.000000,"
                                     "0.000000,0.000002\n";
