@@ -17,10 +17,11 @@ inline constexpr const char* half_a_step_before = "forces take the velocity of h
 /// known does.
 ///
 /// First, the engine's stepping repeated: velocity Verlet with the velocity of half a step before (which is told where
-/// forces feel it), of the case as asked and, where the limit is elsewhere, of each misunderstanding below; all required answers at all steps within
-/// `repeated_to` of their scales and the digits printed. Then, for a limit elsewhere, what has the engine's limits:
-/// every required answer within the limit's uncertainty and what it is itself known to, the forces acting at any one
-/// place between a radius from the centres and the touched surface, wherever it fits best.
+/// forces feel it), of the case as asked and, where the limit is elsewhere, of each misunderstanding below; all
+/// required answers at all steps within `repeated_to` of their scales and the digits printed. Then, for a limit
+/// elsewhere, what has the engine's limits: every required answer within the limit's uncertainty and what it is itself
+/// known to, the forces acting at any one place between a radius from the centres and the touched surface, wherever it
+/// fits best.
 ///
 /// A misfit is the greatest difference of a required answer, as a share of its scale. A cause is told only if that of
 /// what was asked, at the best place for it, is `clearly` times as great or more; with the best are told those that fit

@@ -60,11 +60,10 @@ struct Limit {
 /// one of four hundred (than twice the last D in one of four). Rounding is raised to (h₁ + h₂)/(h₁ − h₂) `digits` by
 /// the extrapolation, which counts on top. Otherwise the limit is the finest value, and errors of first order, |d(h) −
 /// L| ≤ K h, are off by K h there: K is taken as twice the greatest |d(h) − d(finest)|/h. Where the changes of the last
-/// values fall twice like an order p below 1, e_n = D r^{−p}/(1 − r^{−p}) of the last of them, and the uncertainty is at
-/// least twice that. Values that do not settle
-/// (the greater of the last two differences of neighbours, over h, exceeds 2.5 times the greatest of those before: over
-/// two halvings that is an order below 1/3) are taken to wander on: the limit is known to twice the greater of those
-/// two differences.
+/// values fall twice like an order p below 1, e_n = D r^{−p}/(1 − r^{−p}) of the last of them, and the uncertainty is
+/// at least twice that. Values that do not settle (the greater of the last two differences of neighbours, over h,
+/// exceeds 2.5 times the greatest of those before: over two halvings that is an order below 1/3) are taken to wander
+/// on: the limit is known to twice the greater of those two differences.
 Limit limit_of(const std::vector<double>& h, const std::vector<double>& values, double floor, double digits = 0);
 
 /// One answer against what an engine gave. Errors are shares of the answer's scale.

@@ -17,8 +17,8 @@ constexpr std::size_t block_size = 64;
 }  // namespace
 
 struct Cluster::Workspace {
-  std::array<ContactState*, block_size> contacts;
-  std::array<std::uint32_t, block_size> members;
+  std::array<ContactState*, block_size> contacts{};
+  std::array<std::uint32_t, block_size> members{};
   std::array<ContactGeometry, block_size> geometries;
   std::array<motion::NormalRow, block_size> rows;
   std::array<Passed, block_size> passed;

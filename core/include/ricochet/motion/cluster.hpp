@@ -99,8 +99,8 @@ struct Breakthrough {
 /// friction as in friction_impulse, or by springs as in engine/compliant_contact.hpp. Where all contacts are smooth or
 /// have springs, and the step resolves their dashpots (½h Σc/m ≤ 1/4 of each sphere), a contact takes of others what
 /// they passed in the last step: once through all contacts, linear in their number. Else impulses are found together by
-/// sweeps. A contact takes 288 bytes (ContactState), 4 for its place in their order, its law's memory and 8 bytes a pair
-/// of the neighbour list; sweeps take some 900 more.
+/// sweeps. A contact takes 288 bytes (ContactState), 4 for its place in their order, its law's memory and 8 a pair of
+/// the neighbour list; sweeps take some 900 more.
 /// Between two middles each sphere flies straight, so t_b is the root of a quadratic; from t_b to the end of that step
 /// the pair is integrated by itself on a finer, graded mesh. Where the force falls to zero inside a step, the impulse
 /// stops there.

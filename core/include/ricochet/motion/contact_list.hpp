@@ -30,6 +30,7 @@ class ContactList {
     Contact& operator*() const noexcept { return (*list_)[place_]; }
     Contact* operator->() const noexcept { return &(*list_)[place_]; }
     Iterator& operator++() noexcept { return ++place_, *this; }
+    // NOLINTNEXTLINE(cert-dcl21-cpp): a value of its own
     Iterator operator++(int) noexcept { return {*list_, place_++}; }
     bool operator==(const Iterator& other) const noexcept { return place_ == other.place_; }
 
@@ -57,8 +58,8 @@ class ContactList {
   /// One after the other, in a vector.
   std::vector<ContactState> in_order() const { return {begin(), end()}; }
 
-  /// Takes away the contacts at the places `gone`, ascending, and takes in `born`, in the order of their pairs, which are
-  /// not there.
+  /// Takes away the contacts at the places `gone`, ascending, and takes in `born`, in the order of their pairs, which
+  /// are not there.
   void exchange(std::span<const std::uint32_t> gone, std::span<const ContactState> born);
 
  private:
