@@ -310,8 +310,8 @@ class Cluster:
     materials (numbers from 0); one number, or one vector, does for all. `interactions` is one Interaction for all, or a
     dict {(a, b): Interaction} by pair of materials. `gravity` [m/s^2]; `period` [m], in which space repeats itself
     along an axis, 0 where it does not (positions are not brought back). `step` [s], at most a 20th of the stiffest
-    contact's time; None takes a fortieth. `solver_tolerance` is that of rigid friction's sweeps. Results do not depend on
-    `threads`. Not to be advanced by two threads of Python at once.
+    contact's time; None takes a fortieth. `solver_tolerance` is that of rigid friction's sweeps. Results do not depend
+    on `threads`. Not to be advanced by two threads of Python at once.
     """
 
     def __init__(
