@@ -303,7 +303,14 @@ TEST_CASE("conformance: steps of what was asked converge to it, wherever a few c
   CHECK(g.verdict == Verdict::converges);
   REQUIRE(g.causes.size() == 1);
   CHECK(g.causes[0].as_asked);
+  CHECK(g.by_repetition);
   for (const Graded& one : g.answers) CHECK(std::abs(one.limit.value) <= one.limit.uncertainty + one.floor);
+  // Enough of them tell by themselves.
+  CaseResult all{a.of.name};
+  for (const int steps : a.of.steps) all.runs.push_back(half_step_run(a.of, steps, Velocities::at_steps).value());
+  const CaseGrade whole = explained(a, &all);
+  CHECK(whole.verdict == Verdict::converges);
+  CHECK_FALSE(whole.by_repetition);
   // A hundred-thousandth of the scale beside, nothing is repeated.
   for (Run& run : runs.runs) run.bodies[0].position.x += 1e-5 * a.answers[0].scale, run.bodies[0].velocity.x += 1e-5;
   CHECK(explained(a, &runs).verdict == Verdict::elsewhere);

@@ -153,9 +153,10 @@ void note_that_it_converges(CaseGrade& grade) {
   for (Graded& g : grade.answers) {
     if (g.verdict <= Verdict::converges) continue;
     g.limit.uncertainty = std::max(g.limit.uncertainty, std::abs(g.limit.value));
+    g.order = g.order_uncertainty = std::numeric_limits<double>::quiet_NaN();  // was that of another limit
     g.verdict = Verdict::converges;
-    observe(g);
   }
+  grade.by_repetition = grade.verdict > Verdict::converges;
   grade.verdict = std::min(grade.verdict, Verdict::converges);
 }
 

@@ -101,6 +101,7 @@ struct CaseGrade {
   std::optional<EnergyBalance> energy = {};  ///< of cases without gravity
   std::vector<Cause> causes = {};            ///< the best first
   std::string note = {};                     ///< the engine's own, or why it was not graded
+  bool by_repetition = false;                ///< it converges because every run was repeated, not by its limits
 
   /// The required answer that the verdict is from: the one farthest off; nullptr where there is none.
   const Graded* worst() const;

@@ -81,6 +81,9 @@ void add_gates(StudyResult& result, const EngineGrade& engine) {
       if (!tells_of_failure(c.note)) result.skipped.push_back(fmt::format("{} ({})", name, c.note));
     } else if (c.verdict == Verdict::does_not_converge)
       result.gates.push_back(holds(name + ": converges", false));
+    else if (c.by_repetition)
+      result.gates.push_back(at_most(name + ": off steps of what was asked, repeated here, share of scale",
+                                     c.causes.front().misfit, repeated_to));
     else
       result.gates.push_back(at_most(name + ": |limit|, share of scale", std::abs(c.worst()->limit.value),
                                      c.worst()->limit.uncertainty + c.worst()->floor));
