@@ -7,7 +7,8 @@ set -euo pipefail
 bin=$(realpath "$1") source=$(realpath "$2") instants=${INSTANTS:-9}
 folder=$(mktemp -d)
 chmod 755 "$folder"
-trap 'umount "$folder/small" 2>/dev/null || true; rm -rf "$folder"' EXIT
+# Not in a job that a signal reaches before it has become its program: it is this shell still, traps and all.
+trap 'if [[ $BASHPID == "$$" ]]; then umount "$folder/small" 2>/dev/null || true; rm -rf "$folder"; fi' EXIT
 cd "$folder"
 mkdir tmp small
 chmod 1777 tmp
