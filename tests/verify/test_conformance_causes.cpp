@@ -311,6 +311,17 @@ TEST_CASE("conformance: steps of what was asked converge to it, wherever a few c
   const CaseGrade whole = explained(a, &all);
   CHECK(whole.verdict == Verdict::converges);
   CHECK_FALSE(whole.by_repetition);
+  // Digits that leave more open than that are met by many steps.
+  CaseResult printed = runs;
+  for (Run& run : printed.runs) {
+    run.rounded.bodies = std::vector<Body>(run.bodies.size());
+    run.rounded.bodies[0].position.x = 1e-6 * a.answers[0].scale;
+  }
+  const CaseGrade open = explained(a, &printed);
+  REQUIRE(open.causes.size() == 1);
+  CHECK(open.causes[0].repeated);
+  CHECK_FALSE(open.causes[0].as_asked);
+  CHECK(open.verdict == Verdict::elsewhere);
   // A hundred-thousandth of the scale beside, nothing is repeated.
   for (Run& run : runs.runs) run.bodies[0].position.x += 1e-5 * a.answers[0].scale, run.bodies[0].velocity.x += 1e-5;
   CHECK(explained(a, &runs).verdict == Verdict::elsewhere);
@@ -347,4 +358,16 @@ TEST_CASE("conformance: what slides on a floor is explained in numbers or not at
     for (const Cause& c : g.causes) CHECK(std::isfinite(c.misfit));
     CHECK(g.causes.empty());
   }
+  // Without friction it slides on as it came.
+  CaseResult smooth{a.of.name};
+  for (const int steps : a.of.steps) {
+    Run run{steps, a.of.bodies};
+    Body& body = run.bodies[0];
+    body.position += a.of.duration * body.velocity;
+    smooth.runs.push_back(run);
+  }
+  const CaseGrade g = explained(a, &smooth);
+  CHECK(g.verdict == Verdict::elsewhere);
+  REQUIRE(g.causes.size() == 1);
+  CHECK(g.causes[0].what == "friction left out");
 }

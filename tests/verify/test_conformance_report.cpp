@@ -5,6 +5,7 @@
 #include "../../verify/conformance/causes.hpp"
 #include "../../verify/conformance/curves.hpp"
 #include "../../verify/conformance/groups.hpp"
+#include "../../verify/conformance/half_step.hpp"
 #include "../../verify/conformance/matrix.hpp"
 #include "../../verify/conformance/page.hpp"
 #include "../../verify/conformance/ricochet_run.hpp"
@@ -387,6 +388,20 @@ TEST_CASE("verify conformance: what ran nothing or broke down does not pass, and
     CHECK(partly.code == 1);
     CHECK(has(partly.out, "E 1: wall-elastic: runs (Failed: at 900 steps"));
   }
+  // What is right because its runs were repeated passes by how far they are off the steps repeated here.
+  const Answered falls = answered_case("dem01-fall");
+  CaseResult few{falls.of.name};
+  for (const int steps : {50, 100, 200, 400}) {
+    few.runs.push_back(half_step_run(falls.of, steps, Velocities::at_steps).value());
+    few.runs.back().bodies[0].position.x += 1e-9 * falls.answers[0].scale;
+  }
+  std::ofstream(folder / "few.csv") << results_text({"E", "1", "", "", {few}});
+  const Ran repeated = run({"--results", folder / "few.csv", "--format", "json"});
+  CHECK(repeated.code == 0);
+  const console::Json gates = console::Json::parse(repeated.out)["gates"];
+  const console::Json& last = gates.back();
+  CHECK(last["name"] == "E 1: dem01-fall: off steps of what was asked, repeated here, share of scale");
+  CHECK(double(last["value"]) == Approx(1e-9).epsilon(0.01));
   CHECK(run({"--list", "--results", stored}).code == 2);
   CHECK(run({"--cases", folder / "cases", "--badge", folder / "badges"}).code == 2);
   CHECK(run({"--run", "ricochet", "--report", folder / "page.html"}).code == 2);

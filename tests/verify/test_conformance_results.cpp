@@ -115,6 +115,12 @@ TEST_CASE("conformance: what printing takes of numbers is read off the file") {
                                     "dem05,25,1,12.345678,0.000000,1.000000,1.000000,0.000001,0.100000,0.000000,"
                                     "0.000000,0.000002\n";
     CHECK(read(millimetres).cases[0].runs[0].rounded.bodies[0].position.x == Approx(0.5e-9));
+    const std::string places = head + "case,steps,body,x [mm],y [mm],z [mm],vx,vy,vz,wx,wy,wz\n" +
+                               "dem05,25,1,12.345678,0.000000,1.000000,1.000000,0.000000,0.100000,0.000000,0.000000,"
+                               "0.000002\n";
+    const Rounded p = read(places).cases[0].runs[0].rounded;
+    CHECK(p.bodies[0].position.y == Approx(0.5e-9));
+    CHECK(p.bodies[0].velocity.y == Approx(0.5e-6));
   }
   SECTION("doubles to the last bit: nothing that counts") {
     const Rounded r = rounded("dem05,25,1,0.1,0,0,0.33333333333333331,0,0,0,0,0,,,\n");

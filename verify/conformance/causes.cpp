@@ -370,7 +370,7 @@ std::vector<Cause> told(std::vector<Candidate> all, const Prediction& as_asked, 
   });
   if (all.empty()) return {};
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
-  const double known = clearly * (all.front().misfit + all.front().prediction.error);
+  const double known = clearly * (all.front().misfit + all.front().prediction.error + rounding);
   if (misfit(as_asked, grade).greatest < known) return {};
   std::erase_if(all, [&](const Candidate& c) { return c.misfit >= known; });
   std::vector<Cause> causes;

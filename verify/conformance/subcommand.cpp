@@ -74,11 +74,12 @@ void add_gates(StudyResult& result, const EngineGrade& engine) {
       at_least(label(engine.results) + ": cases that could be graded", static_cast<double>(engine.run()), 1));
   for (const CaseGrade& c : engine.cases) {
     const std::string name = fmt::format("{}: {}", label(engine.results), c.of->name);
-    if (tells_of_failure(c.note)) result.gates.push_back(holds(fmt::format("{}: runs ({})", name, c.note), false));
+    const bool failed = tells_of_failure(c.note);
+    if (failed) result.gates.push_back(holds(fmt::format("{}: runs ({})", name, c.note), false));
     if (c.verdict == Verdict::too_coarse)
       result.skipped.push_back(name + " (steps too coarse to tell)");
     else if (c.verdict == Verdict::not_run) {
-      if (!tells_of_failure(c.note)) result.skipped.push_back(fmt::format("{} ({})", name, c.note));
+      if (!failed) result.skipped.push_back(fmt::format("{} ({})", name, c.note));
     } else if (c.verdict == Verdict::does_not_converge)
       result.gates.push_back(holds(name + ": converges", false));
     else if (c.by_repetition)
