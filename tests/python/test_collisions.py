@@ -216,6 +216,8 @@ def test_a_tangential_law_is_for_what_the_normal_one_does():
     law = ricochet.calibrate("linear", 1e-4, 0.5, mass_eff=1e-3)
     with pytest.raises(ValueError, match="tcol = 0.0001: the law gives"):
         ricochet.tangential_law_for("linear", law, beta0=0.5, tcol=1e-4, en=0.5)  # mass_eff forgotten
+    with pytest.raises(ValueError, match="en = 0.6: the law gives 0.5"):
+        ricochet.tangential_law_for("linear", law, beta0=0.5, tcol=1e-4, en=0.6, mass_eff=1e-3)
     found = ricochet.tangential_law_for("linear", law, beta0=0.5, tcol=1e-4, en=0.5, mass_eff=1e-3)
     # k_t = 2/7 m (pi^2 + ln^2 beta0)/tcol^2
     assert found.k_t == pytest.approx(2 / 7 * 1e-3 * (np.pi**2 + np.log(0.5) ** 2) / 1e-8, rel=1e-6)

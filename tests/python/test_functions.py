@@ -85,3 +85,15 @@ def test_the_extremes_of_the_fractional_collision_are_those_of_its_motion():
     assert contact.t_max_force == pytest.approx(t[force.argmax()], abs=1e-4)
     assert contact.overlap_end == pytest.approx(overlap[-1], rel=1e-10)
     assert contact.tau ** (2 - a) == pytest.approx(contact.z_star, rel=1e-12)
+
+
+def test_many_numbers_are_those_of_few():
+    # Portions of 100,000: across their borders, broadcast, and in more dimensions than one.
+    x = np.linspace(-3, 0, 250_001)
+    many = ricochet.mittag_leffler(1.5, 2.0, x)
+    for at in (0, 99_998, 99_999, 100_000, 100_001, 199_999, 200_000, 250_000):
+        assert many[at] == ricochet.mittag_leffler(1.5, 2.0, float(x[at]))
+    table = ricochet.mittag_leffler([[1.25], [1.5]], 2.0, x[:60_001])
+    assert table.shape == (2, 60_001)
+    assert (table[1] == many[:60_001]).all()
+    assert table[0, 60_000] == ricochet.mittag_leffler(1.25, 2.0, float(x[60_000]))
