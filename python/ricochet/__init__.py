@@ -30,16 +30,40 @@ Numbers = TypeVar("Numbers", float, Array)  # a number for numbers, an array for
 _portion = 100_000  # numbers at a time, between which Ctrl-C is heard
 
 
-def _in_portions(function: Any, *values: ArrayLike) -> Any:
-    """function(*values), elementwise."""
+def _doubles(values: ArrayLike) -> Array:
+    """As doubles: text, complex numbers, objects and what a mask hides are none."""
+    given = np.asanyarray(values)
+    if isinstance(given, np.ma.MaskedArray) and np.any(given.mask):
+        raise ValueError("masked values: must be filled or left out")
+    if given.dtype.kind not in "biuf":
+        raise TypeError(f"values of type {given.dtype}: must be real numbers")
+    return np.asarray(given, dtype=np.float64)
+
+
+def _require_words(**words: Any) -> None:
+    for name, word in words.items():
+        if not isinstance(word, str):
+            raise TypeError(f"{name} = {word!r}: must be a str")
+
+
+def _number(name: str, value: Any) -> float:
+    try:
+        return float(_doubles(value))
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} = {value!r}: must be a number") from None
+
+
+def _in_portions(function: Any, *given: ArrayLike) -> Any:
+    """function(*given), elementwise."""
+    values = [_doubles(one) for one in given]
     together = np.broadcast(*values)  # a ValueError where the shapes do not fit
     if together.size <= _portion:
         return function(*values)
-    flat = [v if np.ndim(v) == 0 else np.broadcast_to(np.asarray(v), together.shape).reshape(-1) for v in values]
+    flat = [v if v.ndim == 0 else np.broadcast_to(v, together.shape).reshape(-1) for v in values]
     out = np.empty(together.size)
     for at in range(0, together.size, _portion):
         part = slice(at, at + _portion)
-        out[part] = function(*(v if np.ndim(v) == 0 else np.asarray(v)[part] for v in flat))
+        out[part] = function(*(v if v.ndim == 0 else v[part] for v in flat))
     return out.reshape(together.shape)
 
 
@@ -66,7 +90,7 @@ def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Number:
 
 def _broadcast(*values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple[int, ...]]:
     """The values as flat arrays of doubles of one length, and the shape that they had in common."""
-    arrays = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in values))
+    arrays = np.broadcast_arrays(*(_doubles(v) for v in values))
     return [np.ascontiguousarray(a).ravel() for a in arrays], arrays[0].shape
 
 
@@ -99,8 +123,9 @@ def fractional_contact(alpha: ArrayLike, end: str = "force") -> Any:
 
     Relative error 1e-12 by force, 1e-12 + 1e-15/en^2 by overlap.
     """
+    _require_words(end=end)
     (flat,), shape = _broadcast(alpha)
-    return FractionalContact(**{k: _shaped(v, shape) for k, v in _core._fractional_contact(flat, end).items()})
+    return FractionalContact(**{k: _shaped(v, shape) for k, v in _core._fractional_contact(flat, end, shape).items()})
 
 
 @overload
@@ -109,8 +134,9 @@ def conversion_degree(en: float, end: str = "force") -> float: ...  # type: igno
 def conversion_degree(en: ArrayLike, end: str = "force") -> Array: ...
 def conversion_degree(en: ArrayLike, end: str = "force") -> Any:
     """The conversion degree alpha that keeps `en`, in (0, 1], of the velocity."""
+    _require_words(end=end)
     (flat,), shape = _broadcast(en)
-    return _shaped(_core._conversion_degree(flat, end), shape)
+    return _shaped(_core._conversion_degree(flat, end, shape), shape)
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,8 +191,9 @@ def collide(
     a status, and its tcol, en and overlap_end are not a number; of a "permanent_contact" they are those at which it has
     come to rest, en 0. Of "out_of_range" nothing but the status is known, and the other numbers are 0.
     """
+    _require_words(end=end, method=method)
     flat, shape = _broadcast(velocity, mass_eff)
-    columns = _core._collide(law, *flat, end, method)
+    columns = _core._collide(law, *flat, end, method, shape)
     status = np.array(columns.pop("status"), dtype=object)
     return Collision(_shaped_words(status, shape), **{k: _shaped(v, shape) for k, v in columns.items()})
 
@@ -189,8 +216,16 @@ def collide_obliquely(
     `arm` is "radius" or "contact_point" (the paper's, nearer by half the overlap or so). Relative error 1e-9. Where the
     bodies do not part the status says so, and what they would have after it is not a number.
     """
+    _require_words(end=end, arm=arm)
     other = ImpactBody.wall() if j is None else j
-    return ObliqueCollision(**_core._collide_obliquely(law, tangential, i, other, np.asarray(normal, float), end, arm))
+    for name, what, kind in (
+        ("tangential", tangential, TangentialContact),
+        ("i", i, ImpactBody),
+        ("j", other, ImpactBody),
+    ):
+        if not isinstance(what, kind):
+            raise TypeError(f"{name} = {what!r}: must be of {kind.__name__}")
+    return ObliqueCollision(**_core._collide_obliquely(law, tangential, i, other, _doubles(normal), end, arm))
 
 
 _calibrator = _core._DirectCalibrator()
@@ -242,15 +277,20 @@ def calibrate(
     of the laws of real solids ("fractional-kelvin-voigt", "fractional-hertz", "fractional-zener"), by default 0.5, and
     `stiffening`, k1/k of the last, by default 100; these two are numbers, for all targets. What a law does not hold is
     a ValueError.
-    A target that the law can't reach is a ValueError that says why and which; with unreachable="nan" it is nan in
-    arrays, None for numbers. Relative error 1e-11 in every parameter that (tcol, en) determine.
+    A target that the law can't reach is a ValueError that says which, why and what can be reached; with
+    unreachable="nan" it is nan in arrays, None for numbers. Relative error 1e-11 in every parameter that (tcol, en)
+    determine.
     """
+    _require_words(law=law, end=end)
     if unreachable not in ("raise", "nan"):
         raise ValueError(f"unreachable = {unreachable}: must be raise or nan")
     held = np.nan if stiffness is None else stiffness
     flat, shape = _broadcast(tcol, en, velocity, mass_eff, held)
     t, e, v, m, k = flat
-    columns = _calibrator(law, end, t, e, v, m, k, alpha, stiffening, unreachable == "nan")
+    degree, ratio = (
+        None if one is None else _number(name, one) for name, one in (("alpha", alpha), ("stiffening", stiffening))
+    )
+    columns = _calibrator(law, end, t, e, v, m, k, degree, ratio, unreachable == "nan", shape)
     if shape:
         return {name: column.reshape(shape) for name, column in columns.items()}
     if any(np.isnan(column[0]) for column in columns.values()):
@@ -273,24 +313,25 @@ def fit(
     Columns of one length: impact velocities [m/s], restitutions, and collision times [s] where they were measured; the
     standard errors are columns, too, or one number for all. `mass_eff` [kg].
     """
-    v, e = (np.ascontiguousarray(column, dtype=np.float64) for column in (velocity, en))
+    _require_words(law=law, end=end)
+    v, e = (np.ascontiguousarray(_doubles(column)) for column in (velocity, en))
     if v.ndim != 1 or e.shape != v.shape:
         raise ValueError(f"velocity of shape {v.shape}, en of shape {e.shape}: must be two columns of one length")
-    t = np.empty(0) if tcol is None else np.ascontiguousarray(tcol, dtype=np.float64)
+    t = np.empty(0) if tcol is None else np.ascontiguousarray(_doubles(tcol))
     if tcol is not None and t.shape != v.shape:
         raise ValueError(f"tcol of shape {t.shape}: must be a column as long as the others")
     if (tcol is None) != (tcol_sigma is None):
         raise ValueError("tcol, tcol_sigma: must be given together")
     sigmas = [
-        np.empty(0) if s is None else np.ascontiguousarray(np.broadcast_to(np.asarray(s, dtype=np.float64), v.shape))
+        np.empty(0) if s is None else np.ascontiguousarray(np.broadcast_to(_doubles(s), v.shape))
         for s in (en_sigma, tcol_sigma)
     ]
-    return _core._fit(law, end, mass_eff, v, e, sigmas[0], t, sigmas[1])
+    return _core._fit(law, end, _number("mass_eff", mass_eff), v, e, sigmas[0], t, sigmas[1])
 
 
 def _rows(name: str, values: ArrayLike, count: int) -> NDArray[Any]:
     """A vector a sphere, or one for all."""
-    given = np.asarray(values, dtype=np.float64)
+    given = _doubles(values)
     if given.shape not in ((3,), (count, 3)):
         raise ValueError(f"{name} of shape {given.shape}: must be (3,) or ({count}, 3)")
     return np.ascontiguousarray(np.broadcast_to(given, (count, 3)))
@@ -311,7 +352,7 @@ class Cluster:
     dict {(a, b): Interaction} by pair of materials. `gravity` [m/s^2]; `period` [m], in which space repeats itself
     along an axis, 0 where it does not (positions are not brought back). `step` [s], at most a 20th of the stiffest
     contact's time; None takes a fortieth. `solver_tolerance` is that of rigid friction's sweeps. Results do not depend
-    on `threads`. Not to be advanced by two threads of Python at once.
+    on `threads`. While one thread of Python advances it, another one's look at it is a RuntimeError.
     """
 
     def __init__(
@@ -331,26 +372,26 @@ class Cluster:
         threads: int = 1,
         solver_tolerance: float = 1e-10,
     ) -> None:
-        x = np.ascontiguousarray(positions, dtype=np.float64)
+        x = np.ascontiguousarray(_doubles(positions))
         if x.ndim != 2 or x.shape[1] != 3:
             raise ValueError(f"positions of shape {x.shape}: must be (n, 3)")
         n = x.shape[0]
-        sizes = [x, *(np.ascontiguousarray(np.broadcast_to(np.asarray(v, float), (n,))) for v in (radii, densities))]
+        sizes = [x, *(np.ascontiguousarray(np.broadcast_to(_doubles(v), (n,))) for v in (radii, densities))]
         bodies = [*sizes, _rows("velocities", velocities, n), _rows("spins", spins, n), _whole(materials, n)]
         by_pair = {(0, 0): interactions} if isinstance(interactions, Interaction) else interactions
         if not isinstance(by_pair, Mapping):
             raise TypeError(f"interactions = {interactions!r}: must be an Interaction or a dict of them")
         pairs = list(by_pair.items())
-        around = [pairs, list(walls), np.asarray(gravity, float)]
+        around = [pairs, list(walls), _doubles(gravity)]
         time = _core._stiffest_contact(*bodies, *around)
         if step is None and time == 0:
             raise ValueError("step = None: must be given where no two bodies can touch")
-        self._step = time / 40 if step is None else float(step)
+        self._step = time / 40 if step is None else _number("step", step)
         if time > 0 and self._step > time / 20:
             raise ValueError(f"step = {step}: must be at most {time / 20:.6g} s, a 20th of the stiffest contact's time")
         self._never_pulls = all(how.end == "force" for _, how in pairs)
         self._engine = _core._Cluster(
-            *bodies, *around, np.asarray(period, float), self._step, threads, solver_tolerance
+            *bodies, *around, _doubles(period), self._step, threads, _number("solver_tolerance", solver_tolerance)
         )
 
     def advance(self, steps: int) -> None:

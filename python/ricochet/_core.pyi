@@ -286,6 +286,7 @@ class _DirectCalibrator:
         alpha: Optional[float],
         stiffening: Optional[float],
         skip: bool,
+        shape: Tuple[int, ...],
     ) -> Mapping[str, NDArray[np.float64]]: ...
 
 class _Cluster:

@@ -48,7 +48,7 @@ struct Targets {
   }
 };
 
-/// The law's parameters, one array each. What can't be reached is nan where `skip`, else thrown, naming the target.
+/// The law's parameters, one array each. What can't be reached is nan where `skip`, else thrown.
 class Solved {
  public:
   Solved(LawKind kind, std::size_t count) : kind_(kind) {
@@ -68,7 +68,7 @@ class Solved {
     else if (skip)
       for (double* column : to_) column[i] = std::numeric_limits<double>::quiet_NaN();
     else
-      throw std::domain_error("target " + std::to_string(i) + ": " + std::get<Infeasible>(answer).reason);
+      throw std::domain_error(text_of(std::get<Infeasible>(answer)));
   }
   py::dict columns() const {
     py::dict out;
@@ -85,8 +85,8 @@ class Solved {
 
 py::dict calibrate_all(const DirectCalibrator& calibrator, const std::string& law, const std::string& end,
                        const Array& tcol, const Array& en, const Array& velocity, const Array& mass_eff,
-                       const Array& stiffness, std::optional<double> alpha, std::optional<double> stiffening,
-                       bool skip) {
+                       const Array& stiffness, std::optional<double> alpha, std::optional<double> stiffening, bool skip,
+                       const Shape& shape) {
   const LawKind kind = kind_named(law);
   const ContactEnd ends = end_of(end);
   require_one_length(tcol, en, velocity, mass_eff, stiffness);
@@ -95,7 +95,8 @@ py::dict calibrate_all(const DirectCalibrator& calibrator, const std::string& la
   const Held held = held_by(kind, any, alpha, stiffening);
   const Targets targets{view(tcol), view(en), view(velocity), view(mass_eff), k, held};
   Solved solved(kind, targets.en.size());
-  each_one(targets.en.size(), [&](std::size_t i) { solved.put(i, calibrator(targets.request(kind, ends, i)), skip); });
+  each_one(targets.en.size(), shape,
+           [&](std::size_t i) { solved.put(i, calibrator(targets.request(kind, ends, i)), skip); });
   return solved.columns();
 }
 
@@ -123,26 +124,36 @@ std::vector<Measurement> measurements(const Array& velocity, const Array& en, co
 
 void bind_fit(py::module_& m) {
   py::class_<Estimate>(m, "Estimate", "A fitted parameter with its standard error.")
-      .def_readonly("name", &Estimate::name)
-      .def_readonly("value", &Estimate::value)
-      .def_readonly("error", &Estimate::error)
-      .def_readonly("unit", &Estimate::unit);
+      .def_readonly("name", &Estimate::name, "of the parameter")
+      .def_readonly("value", &Estimate::value, "[unit]")
+      .def_readonly("error", &Estimate::error, "its standard error [unit]")
+      .def_readonly("unit", &Estimate::unit, "of both, \"\" of a number")
+      .def("__repr__", [](const Estimate& e) {
+        return described("Estimate", std::pair("name", e.name), std::pair("value", e.value),
+                         std::pair("error", e.error), std::pair("unit", e.unit));
+      });
   py::class_<Fit>(m, "Fit", "A weighted least-squares fit of one law to measured rebounds.")
-      .def_property_readonly("name", [](const Fit& fit) { return fit_name(fit.request); })
-      .def_property_readonly("parameters",
-                             [](const Fit& fit) {
-                               py::dict out;
-                               for (const Estimate& e : fit.parameters) out[e.name.c_str()] = e;
-                               return out;
-                             })
-      .def_property_readonly("correlations", [](const Fit& fit) { return py::cast(fit.correlations); })
-      .def_readonly("chi2", &Fit::chi2)
-      .def_readonly("observations", &Fit::observations)
-      .def_readonly("freedom", &Fit::freedom)
-      .def_readonly("errors_known", &Fit::errors_known)
-      .def_readonly("aic", &Fit::aic)
-      .def_readonly("probability", &Fit::probability)
-      .def_readonly("findings", &Fit::findings)
+      .def_property_readonly(
+          "name", [](const Fit& fit) { return fit_name(fit.request); }, "the law's, and its end's")
+      .def_property_readonly(
+          "parameters",
+          [](const Fit& fit) {
+            py::dict out;
+            for (const Estimate& e : fit.parameters) out[e.name.c_str()] = e;
+            return out;
+          },
+          "{name: Estimate}")
+      .def_property_readonly(
+          "correlations", [](const Fit& fit) { return py::cast(fit.correlations); },
+          "of the estimates, one row a parameter")
+      .def_readonly("chi2", &Fit::chi2, "sum of the squared weighted residuals")
+      .def_readonly("observations", &Fit::observations, "numbers that were fitted")
+      .def_readonly("freedom", &Fit::freedom, "observations less parameters")
+      .def_readonly("errors_known", &Fit::errors_known,
+                    "whether standard errors were given; else the scatter is theirs")
+      .def_readonly("aic", &Fit::aic, "Akaike's criterion, of use beside another law's fit to the same data")
+      .def_readonly("probability", &Fit::probability, "of a chi2 as great or greater, where errors are known")
+      .def_readonly("findings", &Fit::findings, "what is to be known before the fit is used")
       .def(
           "predict_en",
           [](const Fit& fit, const Array& velocity) {
@@ -163,6 +174,15 @@ void bind_fit(py::module_& m) {
 }
 
 }  // namespace
+
+std::string text_of(const Infeasible& missed) {
+  if (missed.quantity.empty()) return missed.reason;
+  const std::string range = missed.lowest == missed.highest
+                                ? spelled(missed.lowest)
+                                : (missed.low_open ? "in (" : "in [") + spelled(missed.lowest) + ", " +
+                                      spelled(missed.highest) + (missed.open ? ")" : "]");
+  return missed.quantity + " = " + spelled(missed.asked) + ": must be " + range + ": " + missed.reason;
+}
 
 void bind_calibration(py::module_& m) {
   py::class_<DirectCalibrator>(m, "_DirectCalibrator").def(py::init<>()).def("__call__", &calibrate_all);

@@ -3,9 +3,11 @@
 #include <ricochet/motion/cluster.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ricochet::python {
@@ -34,7 +36,17 @@ void bind_walls(py::module_& m) {
                         .motion = {.spin = spin}};
           },
           py::arg("point"), py::arg("axis"), py::arg("radius"), py::arg("material") = 0, py::arg("spin") = 0.0,
-          "The inside of a cylinder without end, radius [m], that spins about its axis [1/s].");
+          "The inside of a cylinder without end, radius [m], that spins about its axis [1/s].")
+      .def("__repr__", [](const Wall& w) {
+        const auto* cylinder = std::get_if<surface::Cylinder>(&w.form);
+        const std::pair point("point", vector_of(w.point)),
+            direction(cylinder ? "axis" : "inward", vector_of(w.inward));
+        const std::pair material("material", w.material);
+        if (cylinder)
+          return described("Wall.cylinder", point, direction, std::pair("radius", cylinder->radius), material,
+                           std::pair("spin", w.motion.spin));
+        return described("Wall.plane", point, direction, material, std::pair("velocity", vector_of(w.motion.velocity)));
+      });
   m.def(
       "box_walls",
       [](const Array& low, const Array& high, std::size_t material) {
@@ -42,6 +54,8 @@ void bind_walls(py::module_& m) {
       },
       py::arg("low"), py::arg("high"), py::arg("material") = 0, "The six walls of a box, spheres inside [m].");
 }
+
+std::string end_word(const Interaction& i) { return i.end == ContactEnd::force ? "force" : "overlap"; }
 
 void bind_interaction(py::module_& m) {
   py::class_<Interaction>(m, "Interaction", "How two materials meet.")
@@ -54,8 +68,14 @@ void bind_interaction(py::module_& m) {
                                 .rolling = tangential.rolling};
            }),
            py::arg("law"), py::arg("tangential") = TangentialContact{}, py::arg("end") = "force")
-      .def_property_readonly("end",
-                             [](const Interaction& i) { return i.end == ContactEnd::force ? "force" : "overlap"; });
+      .def_property_readonly("end", &end_word, "force or overlap")
+      .def("__repr__", [](const Interaction& i) {
+        return "<" +
+               described("Interaction", std::pair("law", std::string(i.law.name())),
+                         std::pair("tangential", TangentialContact{i.tangential, i.friction, i.torsion, i.rolling}),
+                         std::pair("end", end_word(i))) +
+               ">";
+      });
 }
 
 /// Rows of equal number, one a sphere.
@@ -89,7 +109,7 @@ template <class F>
 Array rows(const Cluster& cluster, const F& of) {
   std::vector<Vec3> all;
   all.reserve(cluster.size());
-  for (std::size_t i = 0; i < cluster.size(); ++i) all.push_back(of(i));
+  for (std::size_t i = 0; i < cluster.size(); ++i) all.push_back(std::invoke(of, cluster, i));
   return array_of(all);
 }
 
@@ -138,18 +158,51 @@ py::list finished(Cluster& cluster) {
   return out;
 }
 
-/// By portions, between which Ctrl-C is heard.
-void advance(Cluster& cluster, std::uint64_t steps) {
-  constexpr std::uint64_t portion = 256;
-  for (std::uint64_t left = steps; left > 0; left -= std::min(left, portion)) {
-    bool finite = false;
-    {
-      const py::gil_scoped_release others_go_on;
-      finite = cluster.advance(std::min(left, portion));
-    }
-    if (!finite) throw std::runtime_error("a position or velocity is not finite: the step is too large");
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+/// A cluster for Python's threads: while one advances it no other may look. `moving_` is under Python's lock.
+class GuardedCluster {
+ public:
+  explicit GuardedCluster(Cluster cluster) : cluster_(std::move(cluster)) {}
+
+  Cluster& still() {
+    if (moving_) throw std::runtime_error("the cluster is being advanced by another thread");
+    return cluster_;
   }
+
+  /// By portions, between which Ctrl-C is heard.
+  void advance(std::uint64_t steps) {
+    still();
+    const Moving moving(moving_);
+    constexpr std::uint64_t portion = 256;
+    for (std::uint64_t left = steps; left > 0; left -= std::min(left, portion)) {
+      bool finite = false;
+      {
+        const py::gil_scoped_release others_go_on;
+        finite = cluster_.advance(std::min(left, portion));
+      }
+      if (!finite) throw std::runtime_error("a position or velocity is not finite: the step is too large");
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
+  }
+
+ private:
+  class Moving {
+   public:
+    explicit Moving(bool& flag) : flag_(flag) { flag_ = true; }
+    Moving(const Moving&) = delete;
+    Moving& operator=(const Moving&) = delete;
+    ~Moving() { flag_ = false; }
+
+   private:
+    bool& flag_;
+  };
+  Cluster cluster_;
+  bool moving_ = false;
+};
+
+/// What a cluster that nobody advances tells.
+template <class F>
+auto told(F of) {
+  return [of](GuardedCluster& guarded) { return of(guarded.still()); };
 }
 
 }  // namespace
@@ -157,30 +210,27 @@ void advance(Cluster& cluster, std::uint64_t steps) {
 void bind_cluster(py::module_& m) {
   bind_walls(m);
   bind_interaction(m);
-  py::class_<Cluster>(m, "_Cluster")
+  py::class_<GuardedCluster>(m, "_Cluster")
       .def(py::init([](const Array& positions, const Array& radii, const Array& densities, const Array& velocities,
                        const Array& spins, const std::vector<std::size_t>& materials, const Pairs& interactions,
                        const std::vector<Wall>& walls, const Array& gravity, const Array& period, double step,
                        int threads, double solver_tolerance) {
-        return Cluster(setup(spheres(positions, radii, densities, velocities, spins, materials), interactions, walls,
-                             gravity, period),
-                       {.step = step, .solver_tolerance = solver_tolerance, .threads = threads});
+        return GuardedCluster(Cluster(setup(spheres(positions, radii, densities, velocities, spins, materials),
+                                            interactions, walls, gravity, period),
+                                      {.step = step, .solver_tolerance = solver_tolerance, .threads = threads}));
       }))
-      .def("advance", &advance, py::arg("steps"))
-      .def_property_readonly("time", &Cluster::time)
-      .def_property_readonly("steps", &Cluster::steps)
-      .def("__len__", &Cluster::size)
-      .def_property_readonly("positions",
-                             [](const Cluster& c) { return rows(c, [&](std::size_t i) { return c.position(i); }); })
-      .def_property_readonly("velocities",
-                             [](const Cluster& c) { return rows(c, [&](std::size_t i) { return c.velocity(i); }); })
-      .def_property_readonly("spins",
-                             [](const Cluster& c) { return rows(c, [&](std::size_t i) { return c.spin(i); }); })
-      .def_property_readonly("energy", &energies)
-      .def_property_readonly("momentum", [](const Cluster& c) { return array_of(c.momentum()); })
-      .def_property_readonly("angular_momentum", [](const Cluster& c) { return array_of(c.angular_momentum()); })
-      .def_property_readonly("contacts", &contacts)
-      .def("take_finished", &finished);
+      .def("advance", &GuardedCluster::advance, py::arg("steps"))
+      .def_property_readonly("time", told([](const Cluster& c) { return c.time(); }))
+      .def_property_readonly("steps", told([](const Cluster& c) { return c.steps(); }))
+      .def("__len__", told([](const Cluster& c) { return c.size(); }))
+      .def_property_readonly("positions", told([](const Cluster& c) { return rows(c, &Cluster::position); }))
+      .def_property_readonly("velocities", told([](const Cluster& c) { return rows(c, &Cluster::velocity); }))
+      .def_property_readonly("spins", told([](const Cluster& c) { return rows(c, &Cluster::spin); }))
+      .def_property_readonly("energy", told(&energies))
+      .def_property_readonly("momentum", told([](const Cluster& c) { return array_of(c.momentum()); }))
+      .def_property_readonly("angular_momentum", told([](const Cluster& c) { return array_of(c.angular_momentum()); }))
+      .def_property_readonly("contacts", told(&contacts))
+      .def("take_finished", told(&finished));
   m.def("_stiffest_contact", [](const Array& positions, const Array& radii, const Array& densities,
                                 const Array& velocities, const Array& spins, const std::vector<std::size_t>& materials,
                                 const Pairs& interactions, const std::vector<Wall>& walls, const Array& gravity) {

@@ -18,14 +18,16 @@ CollideMethod method_of(const std::string& word) {
 
 /// Of equally many velocities and masses.
 py::dict collide_all(const py::object& object, const Array& velocity, const Array& mass_eff, const std::string& end,
-                     const std::string& method) {
+                     const std::string& method, const Shape& shape) {
   const AnyLaw law = law_of(object);
   const CollideOptions options{.end = end_of(end), .method = method_of(method)};
   require_one_length(velocity, mass_eff);
   const auto v = view(velocity), m = view(mass_eff);
   std::vector<Collision> all;
   all.reserve(v.size());
-  each_one(v.size(), [&](std::size_t i) { all.push_back(without_zeros(collide(law, Impact{v[i], m[i]}, options))); });
+  each_one(v.size(), shape, [&](std::size_t i) {
+    all.push_back(without_zeros(collide(law, Impact{v[i], m[i]}, options)));
+  });
   py::dict columns;
   py::list status;
   for (const Collision& c : all) status.append(text_of(c.status));
@@ -62,6 +64,14 @@ std::string text_of(CollisionStatus status) {
   return "out_of_range";
 }
 
+std::string place_of(std::size_t i, const Shape& shape) {
+  std::string out;
+  for (std::size_t axis = shape.size(); axis > 0; i /= shape[--axis])
+    out = std::to_string(i % shape[axis - 1]) + (out.empty() ? "" : ", ") + out;
+  if (shape.size() > 1) out = "(" + out + ")";
+  return out.empty() ? "" : "at index " + out + ": ";
+}
+
 ContactEnd end_of(const std::string& word) {
   if (word == "force") return ContactEnd::force;
   if (word == "overlap") return ContactEnd::overlap;
@@ -78,6 +88,8 @@ Array array_of(Vec3 v) {
   const double of[] = {v.x, v.y, v.z};
   return filled(3, [&](std::size_t i) { return of[i]; });
 }
+
+std::array<double, 3> vector_of(Vec3 v) { return {v.x, v.y, v.z}; }
 
 std::vector<Vec3> rows_of(const Array& array) {
   if (array.ndim() != 2 || array.shape(1) != 3) throw std::invalid_argument("an array of vectors has the shape (n, 3)");

@@ -15,10 +15,6 @@ namespace {
 
 using namespace calibration;
 
-py::object object_of(const TangentialLaw& law) {
-  return std::visit([](const auto& one) { return py::cast(one); }, law);
-}
-
 std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", value);
@@ -47,8 +43,7 @@ py::object tangential_for(const std::string& form, const py::object& normal, dou
   const Target target{tcol, en, {velocity, mass_eff}};
   obtained(law_of(normal), target.impact, end_of(end), tcol, en);
   const auto found = calibrate_tangential({.form = *named, .beta0 = beta0}, law_of(normal), end_of(end), target);
-  if (const auto* missed = std::get_if<Infeasible>(&found))
-    throw std::invalid_argument("beta0 = " + spelled(beta0) + ": " + missed->reason);
+  if (const auto* missed = std::get_if<Infeasible>(&found)) throw std::invalid_argument(text_of(*missed));
   return object_of(std::get<TangentialCalibration>(found).law);
 }
 
@@ -81,12 +76,13 @@ void bind_exports(py::module_& m) {
   for (const Engine engine : engines()) names.append(std::string(text(engine)));
   m.attr("engine_names") = py::tuple(names);
   py::class_<Snippet>(m, "Snippet", "A law in the language of an engine, ready to be included.")
-      .def_property_readonly("engine", [](const Snippet& s) { return std::string(text(s.engine)); })
+      .def_property_readonly(
+          "engine", [](const Snippet& s) { return std::string(text(s.engine)); }, "one of engine_names")
       .def_property_readonly(
           "fidelity", [](const Snippet& s) { return std::string(text(s.fidelity)); },
           "exact: the engine runs this very law; close: another one; absent: it can't")
-      .def_readonly("remarks", &Snippet::remarks)
-      .def_readonly("text", &Snippet::text)
+      .def_readonly("remarks", &Snippet::remarks, "what is to be known before it is used")
+      .def_readonly("text", &Snippet::text, "lines of the engine's input")
       .def("__repr__", [](const Snippet& s) {
         return "Snippet(" + std::string(text(s.engine)) + ", " + std::string(text(s.fidelity)) + ")";
       });

@@ -12,11 +12,12 @@
 namespace ricochet::python {
 namespace {
 
-py::dict contacts(const Array& alphas, const std::string& word) {
+py::dict contacts(const Array& alphas, const std::string& word, const Shape& shape) {
   const ContactEnd end = end_of(word);
   std::vector<FractionalContact> found;
   found.reserve(static_cast<std::size_t>(alphas.size()));
-  each_one(view(alphas).size(), [&](std::size_t i) { found.push_back(fractional_contact(view(alphas)[i], end)); });
+  each_one(view(alphas).size(), shape,
+           [&](std::size_t i) { found.push_back(fractional_contact(view(alphas)[i], end)); });
   py::dict columns;
   const auto column = [&](const char* name, double FractionalContact::*of) { columns[name] = column_of(found, of); };
   column("alpha", &FractionalContact::alpha);
@@ -77,11 +78,11 @@ void bind_fractional(py::module_& m) {
       .def_property_readonly("b", &MittagLeffler::b)
       .def("__call__", py::vectorize(&MittagLeffler::operator()), py::arg("x"));
   m.def("_fractional_contact", &contacts);
-  m.def("_conversion_degree", [](const Array& en, const std::string& word) {
+  m.def("_conversion_degree", [](const Array& en, const std::string& word, const Shape& shape) {
     const ContactEnd end = end_of(word);
     const auto all = view(en);
     std::vector<double> degrees(all.size());
-    each_one(all.size(), [&](std::size_t i) { degrees[i] = conversion_degree(all[i], end); });
+    each_one(all.size(), shape, [&](std::size_t i) { degrees[i] = conversion_degree(all[i], end); });
     return filled(all.size(), [&](std::size_t i) { return degrees[i]; });
   });
   m.def("_tcol_estimate", py::vectorize(&tcol_estimate));

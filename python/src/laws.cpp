@@ -35,7 +35,7 @@ double number(const std::string& name, const py::handle& value) {
   try {
     return value.cast<double>();
   } catch (const py::cast_error&) {
-    throw py::type_error(name + " = " + py::repr(value).cast<std::string>() + ": must be a number");
+    throw py::type_error(name + " = " + repr_of(value) + ": must be a number");
   }
 }
 
@@ -105,7 +105,7 @@ AnyLaw law_of(const py::handle& object) {
       if (py::isinstance<Law>(object)) law = object.cast<const Law&>();
     });
   if (law) return *law;
-  throw py::type_error("law = " + py::repr(object).cast<std::string>() + ": must be a contact law, Linear(k, c) or so");
+  throw py::type_error("law = " + repr_of(object) + ": must be a contact law, Linear(k, c) or so");
 }
 
 py::object object_of(const AnyLaw& law) {

@@ -4,7 +4,10 @@
 
 namespace ricochet::python {
 
-std::string spelled(double value) { return py::repr(py::float_(value)); }
+std::string spelled(double value) {
+  const py::gil_scoped_acquire python;  // also asked for where other threads go on
+  return py::repr(py::float_(value));
+}
 
 PYBIND11_MODULE(_core, m) {
   m.doc() = "What the package ricochet is made of: the C++ library, its arrays flat.";

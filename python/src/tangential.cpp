@@ -10,6 +10,17 @@
 namespace ricochet::python {
 namespace {
 
+template <class Law>
+py::class_<Law> bind_spring(py::module_& m, const char* name, const char* what) {
+  return py::class_<Law>(m, name, what)
+      .def(py::init<double, double>(), py::arg("k_t"), py::arg("c_t") = 0.0)
+      .def_property_readonly("k_t", &Law::k_t)
+      .def_property_readonly("c_t", &Law::c_t)
+      .def("__repr__", [name](const Law& law) {
+        return described(name, std::pair("k_t", law.k_t()), std::pair("c_t", law.c_t()));
+      });
+}
+
 void bind_parts(py::module_& m) {
   py::class_<Spring>(m, "Spring", "A spring and a dashpot side by side.")
       .def(py::init([](double stiffness, double damping) {
@@ -17,7 +28,10 @@ void bind_parts(py::module_& m) {
            }),
            py::arg("stiffness") = 0.0, py::arg("damping") = 0.0)
       .def_readonly("stiffness", &Spring::stiffness, "[N/m, or N m]")
-      .def_readonly("damping", &Spring::damping, "[N s/m, or N m s]");
+      .def_readonly("damping", &Spring::damping, "[N s/m, or N m s]")
+      .def("__repr__", [](const Spring& s) {
+        return described("Spring", std::pair("stiffness", s.stiffness), std::pair("damping", s.damping));
+      });
   py::class_<Friction>(m, "Friction",
                        "mu(u) = mu_dynamic + (mu_static - mu_dynamic) exp(-decay u), Eq. (35); rolling_arm in contact "
                        "radii (46).")
@@ -29,18 +43,18 @@ void bind_parts(py::module_& m) {
       .def_property_readonly("mu_static", &Friction::mu_static)
       .def_property_readonly("mu_dynamic", &Friction::mu_dynamic)
       .def_property_readonly("decay", &Friction::decay, "[s/m]")
-      .def_property_readonly("rolling_arm", &Friction::rolling_arm);
+      .def_property_readonly("rolling_arm", &Friction::rolling_arm)
+      .def("__repr__", [](const Friction& f) {
+        return described("Friction", std::pair("mu_static", f.mu_static()), std::pair("mu_dynamic", f.mu_dynamic()),
+                         std::pair("decay", f.decay()), std::pair("rolling_arm", f.rolling_arm()));
+      });
   py::class_<RigidTangential>(m, "RigidTangential", "The paper's friction: sticks, or slides at the limit.")
-      .def(py::init<>());
-  py::class_<LinearTangential>(m, "LinearTangential", "Spring and dashpot of constant k_t [N/m], c_t [N s/m].")
-      .def(py::init<double, double>(), py::arg("k_t"), py::arg("c_t") = 0.0)
-      .def_property_readonly("k_t", &LinearTangential::k_t)
-      .def_property_readonly("c_t", &LinearTangential::c_t);
-  py::class_<MindlinTangential>(m, "MindlinTangential", "k_t sqrt(overlap), k_t = 8 G* sqrt(R*) [kg/(s^2 m^(1/2))].")
-      .def(py::init<double, double>(), py::arg("k_t"), py::arg("c_t") = 0.0)
-      .def_static("of", &MindlinTangential::of, py::arg("shear_modulus_eff"), py::arg("radius_eff"))
-      .def_property_readonly("k_t", &MindlinTangential::k_t)
-      .def_property_readonly("c_t", &MindlinTangential::c_t);
+      .def(py::init<>())
+      .def("__repr__", [](const RigidTangential&) { return described("RigidTangential"); });
+  bind_spring<LinearTangential>(m, "LinearTangential", "Spring and dashpot of constant k_t [N/m], c_t [N s/m].");
+  bind_spring<MindlinTangential>(m, "MindlinTangential", "k_t sqrt(overlap), k_t = 8 G* sqrt(R*) [kg/(s^2 m^(1/2))].")
+      .def_static("of", &MindlinTangential::of, py::arg("shear_modulus_eff"), py::arg("radius_eff"),
+                  "By the effective shear modulus [Pa] and radius [m].");
 }
 
 Torsion torsion_of(const std::string& limit, const Spring& spring, double arm) {
@@ -50,6 +64,11 @@ Torsion torsion_of(const std::string& limit, const Spring& spring, double arm) {
   if (limit == "separate") return {Torsion::Limit::separate, spring, arm};
   if (limit == "disc") return {Torsion::Limit::disc, spring, arm};
   throw std::invalid_argument("torsion_limit = " + limit + ": must be none, separate or disc");
+}
+
+std::string word_of(Torsion::Limit limit) {
+  if (limit == Torsion::Limit::none) return "none";
+  return limit == Torsion::Limit::separate ? "separate" : "disc";
 }
 
 void bind_contact(py::module_& m) {
@@ -72,7 +91,13 @@ void bind_contact(py::module_& m) {
            }),
            py::arg("law") = RigidTangential{}, py::arg("friction") = Friction(), py::kw_only(),
            py::arg("torsion_limit") = "none", py::arg("torsion_spring") = Spring{},
-           py::arg("torsion_arm") = Torsion{}.arm, py::arg("mu_rolling") = 0.0, py::arg("rolling_spring") = Spring{});
+           py::arg("torsion_arm") = Torsion{}.arm, py::arg("mu_rolling") = 0.0, py::arg("rolling_spring") = Spring{})
+      .def("__repr__", [](const TangentialContact& c) {
+        return described("TangentialContact", std::pair("law", object_of(c.law)), std::pair("friction", c.friction),
+                         std::pair("torsion_limit", word_of(c.torsion.limit)),
+                         std::pair("torsion_spring", c.torsion.spring), std::pair("torsion_arm", c.torsion.arm),
+                         std::pair("mu_rolling", c.rolling.mu), std::pair("rolling_spring", c.rolling.spring));
+      });
 }
 
 void bind_oblique(py::module_& m) {
@@ -86,7 +111,13 @@ void bind_oblique(py::module_& m) {
            py::arg("spin") = array_of(Vec3{}), py::arg("inertia_ratio") = 0.4)
       .def_static(
           "wall", [](const Array& velocity) { return ImpactBody::wall(vec3_of(velocity)); },
-          py::arg("velocity") = array_of(Vec3{}));
+          py::arg("velocity") = array_of(Vec3{}), "Of infinite mass.")
+      .def("__repr__", [](const ImpactBody& b) {
+        const std::pair velocity("velocity", vector_of(b.velocity));
+        if (b.is_wall()) return described("ImpactBody.wall", velocity);
+        return described("ImpactBody", std::pair("mass", b.mass), std::pair("radius", b.radius), velocity,
+                         std::pair("spin", vector_of(b.spin)), std::pair("inertia_ratio", b.inertia_ratio));
+      });
 }
 
 py::dict losses(const ObliqueLosses& lost) {
@@ -141,12 +172,15 @@ py::dict collide_obliquely(const py::object& law, const TangentialContact& tange
 
 }  // namespace
 
+py::object object_of(const TangentialLaw& law) {
+  return std::visit([](const auto& one) { return py::cast(one); }, law);
+}
+
 TangentialLaw tangential_law_of(const py::handle& object) {
   if (py::isinstance<RigidTangential>(object)) return object.cast<RigidTangential>();
   if (py::isinstance<LinearTangential>(object)) return object.cast<LinearTangential>();
   if (py::isinstance<MindlinTangential>(object)) return object.cast<MindlinTangential>();
-  throw py::type_error("law = " + py::repr(object).cast<std::string>() +
-                       ": must be RigidTangential, LinearTangential or MindlinTangential");
+  throw py::type_error("law = " + repr_of(object) + ": must be RigidTangential, LinearTangential or MindlinTangential");
 }
 
 void bind_tangential(py::module_& m) {

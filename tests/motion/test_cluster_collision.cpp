@@ -83,9 +83,9 @@ TEST_CASE("two spheres head on reproduce the binary collision at second order") 
 }
 
 // The step of the touch, where a dashpot is all there is: m v' = −c v from t_b on, hence v = v₀ e^{−X}. Its six parts,
-// x_k = X (2k − 1)/36 long, take the mean force at the rate half-way, which leaves 1 − x + x²/2 of the rate: too much by
-// x³/6 (1 + 3x/4) each, and by X³/6 Σ(2k − 1)³/36³ = 0.0548 X³/6 of v in the end, of which the greatest x makes 7 % more
-// at most. A guess at either end of a part is off by x²/2.
+// x_k = X (2k − 1)/36 long, take the mean force at the rate half-way, which leaves 1 − x + x²/2 of the rate: too much
+// by x³/6 (1 + 3x/4) each, and by X³/6 Σ(2k − 1)³/36³ = 0.0548 X³/6 of v in the end, of which the greatest x makes 7 %
+// more at most. A guess at either end of a part is off by x²/2.
 TEST_CASE("the step of the touch takes the dashpot at the rate half-way through each of its parts") {
   const double r = 1.5e-3, v0 = 0.5, step = 1e-5, before = 0.25, exponent = 0.3;
   ClusterSetup setup = with_law(Linear(1e-6, exponent * mass_eff / ((1 - before) * step)));

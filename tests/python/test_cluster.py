@@ -1,5 +1,7 @@
 """Many bodies from arrays."""
 
+import threading
+
 import numpy as np
 import pytest
 
@@ -148,3 +150,25 @@ def test_what_would_be_guessed_is_refused():
         ricochet.TangentialContact(torsion_spring=ricochet.Spring(1.0))
     with pytest.raises(ValueError, match="rolling_spring: must be given with a mu_rolling > 0"):
         ricochet.TangentialContact(rolling_spring=ricochet.Spring(1.0))
+
+
+def test_one_thread_at_a_time():
+    cluster = pair(ricochet.Linear(5000.0, 0.01), step=1e-6)
+    seen = []
+
+    def look():
+        while not done:
+            try:
+                seen.append(cluster.time)
+            except RuntimeError as error:
+                seen.append(str(error))
+
+    done = False
+    other = threading.Thread(target=look)
+    other.start()
+    cluster.advance(1_000_000)
+    done = True
+    other.join()
+    assert "the cluster is being advanced by another thread" in seen
+    assert {round(time * 1e6) for time in seen if not isinstance(time, str)} <= {0, 1_000_000}
+    assert cluster.time == pytest.approx(1.0)

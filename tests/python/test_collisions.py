@@ -39,7 +39,7 @@ def test_wrong_parameters_are_named():
         ricochet.Linear("a", 1)
     for lengths in ((3, 2, 1, 1, 1), (2, 3, 2, 2, 2), (3, 3, 3, 3, 2)):
         with pytest.raises(ValueError, match="columns of different lengths"):
-            ricochet._core._DirectCalibrator()("linear", "force", *[np.ones(n) for n in lengths], 0.5, 100.0, True)
+            ricochet._core._DirectCalibrator()("linear", "force", *[np.ones(n) for n in lengths], 0.5, 100.0, True, ())
     with pytest.raises(ValueError, match="law = elastic: must be one of law_names"):
         ricochet.law("elastic", k=1)
     with pytest.raises(TypeError, match="law = 3: must be a contact law"):
@@ -89,8 +89,14 @@ def test_a_stiffness_is_held():
 
 
 def test_what_cannot_be_reached_says_which_and_why():
-    with pytest.raises(ValueError, match="target 1: "):
+    with pytest.raises(ValueError, match=r"^at index 1: en = 1e-300: must be in \[3\.7.*e-44, 1\.0\]: "):
         ricochet.calibrate("linear", 1e-4, [0.5, 1e-300], end="overlap")
+    with pytest.raises(ValueError, match=r"^at index \(1, 2\): en = 1e-300"):
+        ricochet.calibrate("linear", 1e-4, [[0.5, 0.6, 0.7], [0.8, 0.9, 1e-300]], end="overlap")
+    with pytest.raises(ValueError, match="^en = 1e-300: must be in "):
+        ricochet.calibrate("linear", 1e-4, 1e-300, end="overlap")
+    with pytest.raises(ValueError, match="^at index 2: tcol = -1"):
+        ricochet.calibrate("linear", [1e-4, 1e-5, -1.0], 0.5)
     found = ricochet.calibrate("linear", 1e-4, [0.5, 1e-300], end="overlap", unreachable="nan")
     assert np.isfinite(found["k"][0]) and np.isnan(found["k"][1])
     assert ricochet.calibrate("linear", 1e-4, 1e-300, end="overlap", unreachable="nan") is None
@@ -221,7 +227,7 @@ def test_a_tangential_law_is_for_what_the_normal_one_does():
     found = ricochet.tangential_law_for("linear", law, beta0=0.5, tcol=1e-4, en=0.5, mass_eff=1e-3)
     # k_t = 2/7 m (pi^2 + ln^2 beta0)/tcol^2
     assert found.k_t == pytest.approx(2 / 7 * 1e-3 * (np.pi**2 + np.log(0.5) ** 2) / 1e-8, rel=1e-6)
-    with pytest.raises(ValueError, match="beta0 = 1.5: "):
+    with pytest.raises(ValueError, match=r"^beta0 = 1.5: must be in \(0.0, 1.0\]: "):
         ricochet.tangential_law_for("linear", law, beta0=1.5, tcol=1e-4, en=0.5, mass_eff=1e-3)
 
 
@@ -268,3 +274,69 @@ def test_ctrl_c_ends_a_call_of_many_numbers(call):
     child.send_signal(signal.SIGINT)
     _, said = child.communicate(timeout=60)
     assert child.returncode != 0 and "KeyboardInterrupt" in said
+
+
+def test_an_array_tells_which_of_its_numbers_is_wrong():
+    with pytest.raises(ValueError, match=r"^at index \(0, 1\): velocity = -1"):
+        ricochet.collide(ricochet.Linear(1e4, 0.1), [[0.5, -1.0]], MASS)
+    with pytest.raises(ValueError, match="^at index 1: "):
+        ricochet.fractional_contact([0.2, 1.5])
+    with pytest.raises(ValueError, match="^at index 1: en = 2"):
+        ricochet.conversion_degree([0.2, 2.0])
+
+
+def test_what_is_no_number_is_none():
+    hidden = np.ma.array([0.5, 0.6], mask=[False, True])
+    for call in (lambda en: ricochet.calibrate("linear", 1e-4, en), lambda x: ricochet.mittag_leffler(0.5, 1.0, x)):
+        with pytest.raises(ValueError, match="masked values"):
+            call(hidden)
+        for wrong in ("0.5", ["0.5"], 0.5j, [0.5, None]):
+            with pytest.raises(TypeError, match="must be real numbers"):
+                call(wrong)
+    shown = ricochet.mittag_leffler(0.5, 1.0, np.ma.array([0.5, 0.6]))
+    assert shown.tolist() == ricochet.mittag_leffler(0.5, 1.0, [0.5, 0.6]).tolist()
+
+
+def test_what_is_of_another_type_is_named():
+    v, en, law = np.array([0.1, 0.2, 0.4]), np.array([0.93, 0.92, 0.9]), ricochet.Linear(1e4, 0.1)
+    for name, call in (
+        ("law = 3: must be a str", lambda: ricochet.calibrate(3, 1e-4, 0.5)),
+        ("law = .*: must be a str", lambda: ricochet.fit(law, v, en)),
+        ("mass_eff = '1': must be a number", lambda: ricochet.fit("linear", v, en, mass_eff="1")),
+        ("alpha = 'a': must be a number", lambda: ricochet.calibrate("fractional-hertz", 1e-4, 0.5, alpha="a")),
+        ("end = None: must be a str", lambda: ricochet.fractional_contact(0.5, None)),
+        ("tangential = 0.5: must be of TangentialContact", lambda: ricochet.collide_obliquely(law, 0.5, 1)),
+        ("i = 1: must be of ImpactBody", lambda: ricochet.collide_obliquely(law, ricochet.TangentialContact(), 1)),
+    ):
+        with pytest.raises(TypeError, match=f"^{name}"):
+            call()
+
+
+def test_what_is_printed_can_be_read_back():
+    names, mindlin, spring = vars(ricochet), ricochet.MindlinTangential(5.0), ricochet.Spring(1.0)
+    contact = ricochet.TangentialContact(
+        ricochet.LinearTangential(500.0, 0.01),
+        ricochet.Friction(0.4, 0.3, 2.0, 0.1),
+        torsion_limit="disc",
+        torsion_spring=ricochet.Spring(1.0, 2.0),
+        mu_rolling=0.01,
+        rolling_spring=ricochet.Spring(3.0),
+    )
+    for thing in (
+        contact,
+        ricochet.TangentialContact(mindlin, torsion_limit="separate", torsion_spring=spring, torsion_arm=0.25),
+        ricochet.TangentialContact(),
+        ricochet.ImpactBody(1e-3, 2e-3, (0, 1, 2), (3, 4, 5), 0.5),
+        ricochet.ImpactBody.wall((0, 0, 1)),
+        ricochet.Wall.plane((0, 0, 1), (0, 0, 1), 2, (1, 0, 0)),
+        ricochet.Wall.cylinder((0, 0, 1), (0, 1, 0), 0.5, 1, 2.0),
+    ):
+        again = eval(repr(thing), names)
+        assert type(again) is type(thing) and repr(again) == repr(thing)
+    assert repr(ricochet.ImpactBody(1e-3, 2e-3, (0, 1, 2))) == (
+        "ImpactBody(mass=0.001, radius=0.002, velocity=[0.0, 1.0, 2.0], spin=[0.0, 0.0, 0.0], inertia_ratio=0.4)"
+    )
+    separate = ricochet.TangentialContact(mindlin, torsion_limit="separate", torsion_spring=spring, torsion_arm=0.25)
+    assert "torsion_arm=0.25" in repr(separate) and "torsion_limit='separate'" in repr(separate)
+    interaction = repr(ricochet.Interaction(ricochet.Linear(1.0, 0.0), contact, end="overlap"))
+    assert interaction == f"<Interaction(law='linear', tangential={contact!r}, end='overlap')>"
