@@ -131,24 +131,40 @@ void columns() {
   on_arms("column_hertz", std::type_identity<FractionalHertz>{});
 }
 
+void cluster(const std::string& name, const ClusterSetup& setup) {
+  Cluster cluster(setup, workloads::packing_options());
+  cluster.advance(100);
+  constexpr std::size_t steps = 20;
+  // The number of contacts may change by one or two meanwhile.
+  count(name, steps * cluster.contacts().size(), [&] { cluster.advance(steps); });
+}
+
+// As bodies of many sizes are told apart: an interaction for each pair of them, which is the same for all.
+ClusterSetup each_of_its_own_material(ClusterSetup setup) {
+  const Interaction how = setup.interactions.at({0, 0});
+  for (std::size_t i = 0; i < setup.spheres.size(); ++i) {
+    setup.spheres[i].material = i;
+    for (std::size_t j = 0; j <= i; ++j) setup.interactions.insert({{j, i}, how});
+  }
+  return setup;
+}
+
 void clusters() {
-  const auto packed = [](const std::string& name, const AnyLaw& law, const Friction& friction,
+  const auto packed = [](const AnyLaw& law, const Friction& friction,
                          const TangentialLaw& tangential = RigidTangential{}) {
     ClusterSetup setup = workloads::packing(5, 4, law, friction);
     setup.interactions.at({0, 0}).tangential = tangential;
-    Cluster cluster(setup, workloads::packing_options());
-    cluster.advance(100);
-    constexpr std::size_t steps = 20;
-    // The number of contacts may change by one or two meanwhile.
-    count(name, steps * cluster.contacts().size(), [&] { cluster.advance(steps); });
+    return setup;
   };
-  const Friction smooth, rough(0.5, 0.5, 0, 0.1);
+  const Friction smooth, rough(0.5, 0.5, 0, 0.1), sliding(0.5, 0.5, 0);
+  const LinearTangential spring(3e4, 1);
   // Dashpots that the step resolves, as in packings that rebound; rigid friction sweeps whatever they are.
-  packed("cluster_linear", Linear(1e5, 3), smooth);
-  packed("cluster_fractional", Fractional(1e5, 3, 0.2), smooth);
-  packed("cluster_linear_friction", Linear(1e5, 15), rough);
-  packed("cluster_linear_springs", Linear(1e5, 3), Friction(0.5, 0.5, 0), LinearTangential(3e4, 1));
-  packed("cluster_fractional_springs", Fractional(1e5, 3, 0.2), Friction(0.5, 0.5, 0), LinearTangential(3e4, 1));
+  cluster("cluster_linear", packed(Linear(1e5, 3), smooth));
+  cluster("cluster_fractional", packed(Fractional(1e5, 3, 0.2), smooth));
+  cluster("cluster_linear_friction", packed(Linear(1e5, 15), rough));
+  cluster("cluster_linear_springs", packed(Linear(1e5, 3), sliding, spring));
+  cluster("cluster_fractional_springs", packed(Fractional(1e5, 3, 0.2), sliding, spring));
+  cluster("cluster_many_materials", each_of_its_own_material(packed(Linear(1e5, 3), sliding, spring)));
 }
 
 }  // namespace

@@ -99,6 +99,37 @@ TEST_CASE("the step of the touch takes the dashpot at the rate half-way through 
   CHECK(error < 1.1 * expected);
 }
 
+// Contacts are passed in blocks, each law's own together: four laws that take turns in one block, against each alone.
+TEST_CASE("laws side by side are each their own") {
+  const std::vector<NormalLaw> laws{Tsuji(1389289, 1.5), Linear(5211.5, 0.098), Hysteretic(3924, 15697),
+                                    KuwabaraKono(1389289, 33.845)};
+  const std::vector<std::size_t> order{2, 0, 3, 1, 0, 2, 1, 3};
+  const double r = 1.5e-3;
+  const auto add_pair = [&](ClusterSetup& setup, std::size_t material, double y) {
+    setup.spheres.push_back({r, 1000, {0, y, 0}, {0.25, 0, 0}, {}, material});
+    setup.spheres.push_back({r, 1000, {2 * r + 1e-7, y, 0}, {-0.25, 0, 0}, {}, material});
+  };
+  ClusterSetup together;
+  for (std::size_t a = 0; a < laws.size(); ++a)
+    for (std::size_t b = 0; b <= a; ++b) together.interactions.insert({{b, a}, {laws[a], {}, ContactEnd::force}});
+  for (std::size_t n = 0; n < order.size(); ++n) add_pair(together, order[n], 0.01 * static_cast<double>(n));
+  Cluster all(together, {.step = 1e-6});
+  std::vector<Cluster> alone;
+  for (const std::size_t law : order) {
+    ClusterSetup setup = with_law(laws[law]);
+    add_pair(setup, 0, 0);
+    alone.emplace_back(setup, ClusterOptions{.step = 1e-6});
+  }
+  for (int step = 0; step < 200; ++step) {
+    all.step();
+    for (std::size_t n = 0; n < order.size(); ++n) {
+      alone[n].step();
+      REQUIRE(all.velocity(2 * n).x == alone[n].velocity(0).x);
+    }
+  }
+  for (std::size_t n = 0; n < order.size(); ++n) CHECK(all.velocity(2 * n).x < 0);
+}
+
 TEST_CASE("what a hysteretic pair loses never comes back, also where it pulls") {
   ClusterSetup setup = with_law(Hysteretic(1e4, 3e4), {}, ContactEnd::overlap);
   const double r = 1.5e-3, tcol = 1.6e-4 * std::sqrt(0.5);

@@ -18,12 +18,39 @@ constexpr std::size_t block_size = 64;
 
 struct Cluster::Workspace {
   std::array<ContactState*, block_size> contacts{};
-  std::array<std::uint32_t, block_size> members{};
+  std::array<std::uint32_t, block_size> models{};   // of the block's contacts
+  std::array<std::uint32_t, block_size> members{};  // the block's contacts by interaction
+  std::array<std::uint32_t, block_size> ends{};     // where in `members` each interaction's end
+  std::uint32_t batches = 0;
   std::array<ContactGeometry, block_size> geometries;
   std::array<motion::NormalRow, block_size> rows;
   std::array<Passed, block_size> passed;
   motion::Slides slides{};
+
+  void group(std::uint32_t count) noexcept;
 };
+
+// Looks at the interactions that the block has, not at all that there are: bodies of many sizes have thousands.
+void Cluster::Workspace::group(std::uint32_t count) noexcept {
+  std::uint32_t model = models[0], filled = 0, greatest = models[0];
+  for (std::uint32_t n = 1; n < count; ++n) {
+    model = std::min(model, models[n]);
+    greatest = std::max(greatest, models[n]);
+  }
+  batches = 0;
+  while (model < greatest) {
+    std::uint32_t next = greatest;
+    for (std::uint32_t n = 0; n < count; ++n) {
+      if (models[n] == model) members[filled++] = n;
+      if (models[n] > model) next = std::min(next, models[n]);
+    }
+    ends[batches++] = filled;
+    model = next;
+  }
+  for (std::uint32_t n = 0; n < count; ++n)
+    if (models[n] == greatest) members[filled++] = n;
+  ends[batches++] = filled;
+}
 
 // Each contact foresees what the others pass. With u the rates of all contacts, W their common mobility and D its
 // diagonal, that is one Jacobi step u' = −W P, (1 + γD) P = h R(u − ½(W − D) P_last) with γ = ½h c; a mode with
@@ -143,11 +170,12 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
     ContactState& c = contacts_[first + n];
     if (n + motion::look_ahead < count) motion::fetch(motions_[contacts_[first + n + motion::look_ahead].record.j]);
     if (n + 2 * motion::look_ahead < count) motion::fetch(contacts_[first + n + 2 * motion::look_ahead]);
-    space.contacts[n] = &c;
+    space.contacts[n] = &c, space.models[n] = c.model;
     geometries[n] = geometry_of(c);
     rows[n] = normal_row(c, geometries[n]);
   }
-  each_batch(space, count, [](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.prepare(batch); });
+  space.group(count);
+  each_batch(space, [](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.prepare(batch); });
   for (std::uint32_t n = 0; n < count; ++n) {
     ContactState& c = *space.contacts[n];
     const Vec3 v = pass_normal(c, geometries[n], rows[n], passed[n]);
@@ -161,8 +189,7 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
   }
   if (slides.count > 0) pass_slides(space);
   const double now = middle();
-  each_batch(space, count,
-             [now](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.conclude(batch, now); });
+  each_batch(space, [now](motion::NormalContacts& law, const motion::NormalBatch& batch) { law.conclude(batch, now); });
   for (std::uint32_t n = 0; n < count; ++n) {
     passed[n].lost_normal = rows[n].loss;
     note_end_of_contact(*space.contacts[n], geometries[n], rows[n]);
@@ -171,12 +198,12 @@ void Cluster::pass_block(std::uint32_t first, std::uint32_t last, Workspace& spa
 
 // act(law, batch) for each interaction that has some of the block's contacts.
 template <class Act>
-void Cluster::each_batch(Workspace& space, std::uint32_t count, const Act& act) {
-  for (std::uint32_t m = 0; m < models_.size(); ++m) {
-    std::size_t members = 0;
-    for (std::uint32_t n = 0; n < count; ++n)
-      if (space.contacts[n]->model == m) space.members[members++] = n;
-    if (members > 0) act(*models_[m].normal, {std::span(space.members).first(members), space.contacts, space.rows});
+void Cluster::each_batch(Workspace& space, const Act& act) {
+  std::uint32_t first = 0;
+  for (const std::uint32_t end : std::span(space.ends).first(space.batches)) {
+    const auto members = std::span(space.members).subspan(first, end - first);
+    act(*models_[space.models[members.front()]].normal, {members, space.contacts, space.rows});
+    first = end;
   }
 }
 

@@ -286,7 +286,7 @@ class Cluster {
   void pass_range(Range& range);
   void pass_block(std::uint32_t first, std::uint32_t last, Workspace& space);
   template <class Act>
-  void each_batch(Workspace& space, std::uint32_t count, const Act& act);
+  void each_batch(Workspace& space, const Act& act);
   void gather(std::span<const Passed> passed, Range& range);
   void receive(const Gain& gain) noexcept;
   void add_late(std::size_t first, std::size_t last) noexcept;
