@@ -12,6 +12,7 @@ that names the value and what is accepted.
 
 from __future__ import annotations
 
+import operator
 from dataclasses import dataclass
 from typing import Any, Dict, Generic, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
 
@@ -30,13 +31,14 @@ Numbers = TypeVar("Numbers", float, Array)  # a number for numbers, an array for
 _portion = 100_000  # numbers at a time, between which Ctrl-C is heard
 
 
-def _doubles(values: ArrayLike) -> Array:
-    """As doubles: text, complex numbers, objects and what a mask hides are none."""
+def _doubles(name: str, values: ArrayLike) -> Array:
+    """As doubles: text, complex numbers, None and what a mask hides are none."""
     given = np.asanyarray(values)
     if isinstance(given, np.ma.MaskedArray) and np.any(given.mask):
-        raise ValueError("masked values: must be filled or left out")
-    if given.dtype.kind not in "biuf":
-        raise TypeError(f"values of type {given.dtype}: must be real numbers")
+        raise ValueError(f"{name}: has masked values, which must be filled or left out")
+    reals = all(hasattr(type(one), "__float__") for one in given.flat) if given.dtype.kind == "O" else False
+    if given.dtype.kind not in "biuf" and not reals:
+        raise TypeError(f"{name}: must be real numbers, not {given.dtype}")
     return np.asarray(given, dtype=np.float64)
 
 
@@ -48,22 +50,46 @@ def _require_words(**words: Any) -> None:
 
 def _number(name: str, value: Any) -> float:
     try:
-        return float(_doubles(value))
+        return float(_doubles(name, value))
     except (TypeError, ValueError):
         raise TypeError(f"{name} = {value!r}: must be a number") from None
 
 
-def _in_portions(function: Any, *given: ArrayLike) -> Any:
-    """function(*given), elementwise."""
-    values = [_doubles(one) for one in given]
+def _count(name: str, value: Any, least: int) -> int:
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} = {value!r}: must be a whole number") from None
+    if number < least:
+        raise ValueError(f"{name} = {number}: must be at least {least}")
+    return number
+
+
+def _place(i: int, shape: Tuple[int, ...]) -> str:
+    place = ", ".join(str(number) for number in np.unravel_index(i, shape))
+    return f"at index ({place})" if len(shape) > 1 else f"at index {place}"
+
+
+def _in_portions(function: Any, **given: ArrayLike) -> Any:
+    """function of the values, elementwise."""
+    values = [_doubles(name, one) for name, one in given.items()]
     together = np.broadcast(*values)  # a ValueError where the shapes do not fit
-    if together.size <= _portion:
+    if together.ndim == 0:
         return function(*values)
     flat = [v if v.ndim == 0 else np.broadcast_to(v, together.shape).reshape(-1) for v in values]
     out = np.empty(together.size)
     for at in range(0, together.size, _portion):
         part = slice(at, at + _portion)
-        out[part] = function(*(v if v.ndim == 0 else v[part] for v in flat))
+        some = [v if v.ndim == 0 else v[part] for v in flat]
+        try:
+            out[part] = function(*some)
+        except ValueError:
+            for i, one in enumerate(np.broadcast(*some)):  # which of them it was
+                try:
+                    function(*one)
+                except ValueError as error:
+                    raise ValueError(f"{_place(at + i, together.shape)}: {error}") from None
+            raise
     return out.reshape(together.shape)
 
 
@@ -76,7 +102,7 @@ def mittag_leffler(a: ArrayLike, b: ArrayLike, x: ArrayLike) -> Number:
 
     Relative error 1e-13 and 20 roundings of x.
     """
-    return _in_portions(_core._mittag_leffler, a, b, x)  # type: ignore[no-any-return]
+    return _in_portions(_core._mittag_leffler, a=a, b=b, x=x)  # type: ignore[no-any-return]
 
 
 @overload
@@ -85,12 +111,12 @@ def tcol_estimate(coefficient: float, alpha: float) -> float: ...  # type: ignor
 def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Array: ...
 def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Number:
     """Estimate (57) of the collision time [s], of A = c^alpha k^(1-alpha)/m [s^(alpha-2)]."""
-    return _in_portions(_core._tcol_estimate, coefficient, alpha)  # type: ignore[no-any-return]
+    return _in_portions(_core._tcol_estimate, coefficient=coefficient, alpha=alpha)  # type: ignore[no-any-return]
 
 
-def _broadcast(*values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple[int, ...]]:
+def _broadcast(**values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple[int, ...]]:
     """The values as flat arrays of doubles of one length, and the shape that they had in common."""
-    arrays = np.broadcast_arrays(*(_doubles(v) for v in values))
+    arrays = np.broadcast_arrays(*(_doubles(name, v) for name, v in values.items()))
     return [np.ascontiguousarray(a).ravel() for a in arrays], arrays[0].shape
 
 
@@ -124,7 +150,7 @@ def fractional_contact(alpha: ArrayLike, end: str = "force") -> Any:
     Relative error 1e-12 by force, 1e-12 + 1e-15/en^2 by overlap.
     """
     _require_words(end=end)
-    (flat,), shape = _broadcast(alpha)
+    (flat,), shape = _broadcast(alpha=alpha)
     return FractionalContact(**{k: _shaped(v, shape) for k, v in _core._fractional_contact(flat, end, shape).items()})
 
 
@@ -135,7 +161,7 @@ def conversion_degree(en: ArrayLike, end: str = "force") -> Array: ...
 def conversion_degree(en: ArrayLike, end: str = "force") -> Any:
     """The conversion degree alpha that keeps `en`, in (0, 1], of the velocity."""
     _require_words(end=end)
-    (flat,), shape = _broadcast(en)
+    (flat,), shape = _broadcast(en=en)
     return _shaped(_core._conversion_degree(flat, end, shape), shape)
 
 
@@ -192,7 +218,7 @@ def collide(
     come to rest, en 0. Of "out_of_range" nothing but the status is known, and the other numbers are 0.
     """
     _require_words(end=end, method=method)
-    flat, shape = _broadcast(velocity, mass_eff)
+    flat, shape = _broadcast(velocity=velocity, mass_eff=mass_eff)
     columns = _core._collide(law, *flat, end, method, shape)
     status = np.array(columns.pop("status"), dtype=object)
     return Collision(_shaped_words(status, shape), **{k: _shaped(v, shape) for k, v in columns.items()})
@@ -225,7 +251,7 @@ def collide_obliquely(
     ):
         if not isinstance(what, kind):
             raise TypeError(f"{name} = {what!r}: must be of {kind.__name__}")
-    return ObliqueCollision(**_core._collide_obliquely(law, tangential, i, other, _doubles(normal), end, arm))
+    return ObliqueCollision(**_core._collide_obliquely(law, tangential, i, other, _doubles("normal", normal), end, arm))
 
 
 _calibrator = _core._DirectCalibrator()
@@ -281,11 +307,11 @@ def calibrate(
     unreachable="nan" it is nan in arrays, None for numbers. Relative error 1e-11 in every parameter that (tcol, en)
     determine.
     """
-    _require_words(law=law, end=end)
+    _require_words(law=law, end=end, unreachable=unreachable)
     if unreachable not in ("raise", "nan"):
         raise ValueError(f"unreachable = {unreachable}: must be raise or nan")
     held = np.nan if stiffness is None else stiffness
-    flat, shape = _broadcast(tcol, en, velocity, mass_eff, held)
+    flat, shape = _broadcast(tcol=tcol, en=en, velocity=velocity, mass_eff=mass_eff, stiffness=held)
     t, e, v, m, k = flat
     degree, ratio = (
         None if one is None else _number(name, one) for name, one in (("alpha", alpha), ("stiffening", stiffening))
@@ -314,32 +340,41 @@ def fit(
     standard errors are columns, too, or one number for all. `mass_eff` [kg].
     """
     _require_words(law=law, end=end)
-    v, e = (np.ascontiguousarray(_doubles(column)) for column in (velocity, en))
+    v, e = (np.ascontiguousarray(_doubles(name, column)) for name, column in (("velocity", velocity), ("en", en)))
     if v.ndim != 1 or e.shape != v.shape:
         raise ValueError(f"velocity of shape {v.shape}, en of shape {e.shape}: must be two columns of one length")
-    t = np.empty(0) if tcol is None else np.ascontiguousarray(_doubles(tcol))
+    t = np.empty(0) if tcol is None else np.ascontiguousarray(_doubles("tcol", tcol))
     if tcol is not None and t.shape != v.shape:
         raise ValueError(f"tcol of shape {t.shape}: must be a column as long as the others")
     if (tcol is None) != (tcol_sigma is None):
         raise ValueError("tcol, tcol_sigma: must be given together")
     sigmas = [
-        np.empty(0) if s is None else np.ascontiguousarray(np.broadcast_to(_doubles(s), v.shape))
-        for s in (en_sigma, tcol_sigma)
+        np.empty(0) if s is None else np.ascontiguousarray(np.broadcast_to(_doubles(name, s), v.shape))
+        for name, s in (("en_sigma", en_sigma), ("tcol_sigma", tcol_sigma))
     ]
     return _core._fit(law, end, _number("mass_eff", mass_eff), v, e, sigmas[0], t, sigmas[1])
 
 
 def _rows(name: str, values: ArrayLike, count: int) -> NDArray[Any]:
     """A vector a sphere, or one for all."""
-    given = _doubles(values)
+    given = _doubles(name, values)
     if given.shape not in ((3,), (count, 3)):
         raise ValueError(f"{name} of shape {given.shape}: must be (3,) or ({count}, 3)")
     return np.ascontiguousarray(np.broadcast_to(given, (count, 3)))
 
 
+def _require_finite(positive: bool = False, **arrays: Array) -> None:
+    for name, values in arrays.items():
+        wrong = ~np.isfinite(values) | (values <= 0 if positive else False)
+        if wrong.any():
+            place = tuple(int(number) for number in np.argwhere(wrong)[0])
+            accepted = "finite and > 0" if positive else "finite"
+            raise ValueError(f"{name}[{', '.join(map(str, place))}] = {values[place]}: must be {accepted}")
+
+
 def _whole(values: ArrayLike, count: int) -> Sequence[int]:
-    given = np.asarray(values)
-    if given.dtype.kind not in "iu" or (given < 0).any():
+    given = np.asanyarray(values)
+    if isinstance(given, np.ma.MaskedArray) or given.dtype.kind not in "iu" or (given < 0).any():
         raise ValueError(f"materials = {values!r}: must be whole numbers from 0")
     return [int(number) for number in np.broadcast_to(given, (count,))]
 
@@ -352,7 +387,8 @@ class Cluster:
     dict {(a, b): Interaction} by pair of materials. `gravity` [m/s^2]; `period` [m], in which space repeats itself
     along an axis, 0 where it does not (positions are not brought back). `step` [s], at most a 20th of the stiffest
     contact's time; None takes a fortieth. `solver_tolerance` is that of rigid friction's sweeps. Results do not depend
-    on `threads`. While one thread of Python advances it, another one's look at it is a RuntimeError.
+    on `threads`. While one thread of Python advances it, another one's look at it is a
+    RuntimeError.
     """
 
     def __init__(
@@ -372,17 +408,31 @@ class Cluster:
         threads: int = 1,
         solver_tolerance: float = 1e-10,
     ) -> None:
-        x = np.ascontiguousarray(_doubles(positions))
+        x = np.ascontiguousarray(_doubles("positions", positions))
         if x.ndim != 2 or x.shape[1] != 3:
             raise ValueError(f"positions of shape {x.shape}: must be (n, 3)")
         n = x.shape[0]
-        sizes = [x, *(np.ascontiguousarray(np.broadcast_to(_doubles(v), (n,))) for v in (radii, densities))]
-        bodies = [*sizes, _rows("velocities", velocities, n), _rows("spins", spins, n), _whole(materials, n)]
+        r, density = (
+            np.ascontiguousarray(np.broadcast_to(_doubles(name, v), (n,)))
+            for name, v in (("radii", radii), ("densities", densities))
+        )
+        v, spin = _rows("velocities", velocities, n), _rows("spins", spins, n)
+        _require_finite(positions=x, velocities=v, spins=spin)
+        _require_finite(positive=True, radii=r, densities=density)
+        bodies = [x, r, density, v, spin, _whole(materials, n)]
         by_pair = {(0, 0): interactions} if isinstance(interactions, Interaction) else interactions
         if not isinstance(by_pair, Mapping):
             raise TypeError(f"interactions = {interactions!r}: must be an Interaction or a dict of them")
         pairs = list(by_pair.items())
-        around = [pairs, list(walls), _doubles(gravity)]
+        for pair, how in pairs:
+            if not isinstance(how, Interaction):
+                raise TypeError(f"interactions[{pair!r}] = {how!r}: must be an Interaction")
+            if not (isinstance(pair, tuple) and len(pair) == 2):
+                raise TypeError(f"interactions[{pair!r}]: must be a pair of materials, (0, 1) or so")
+        for wall in walls:
+            if not isinstance(wall, Wall):
+                raise TypeError(f"walls: must be of Wall, not {wall!r}")
+        around = [pairs, list(walls), _doubles("gravity", gravity)]
         time = _core._stiffest_contact(*bodies, *around)
         if step is None and time == 0:
             raise ValueError("step = None: must be given where no two bodies can touch")
@@ -391,12 +441,17 @@ class Cluster:
             raise ValueError(f"step = {step}: must be at most {time / 20:.6g} s, a 20th of the stiffest contact's time")
         self._never_pulls = all(how.end == "force" for _, how in pairs)
         self._engine = _core._Cluster(
-            *bodies, *around, _doubles(period), self._step, threads, _number("solver_tolerance", solver_tolerance)
+            *bodies,
+            *around,
+            _doubles("period", period),
+            self._step,
+            _count("threads", threads, 1),
+            _number("solver_tolerance", solver_tolerance),
         )
 
     def advance(self, steps: int) -> None:
         """Goes on by that many steps; RuntimeError where a number ceases to be finite."""
-        self._engine.advance(steps)
+        self._engine.advance(_count("steps", steps, 0))
 
     def __len__(self) -> int:
         return len(self._engine)

@@ -26,8 +26,8 @@ namespace ricochet::python {
 
 namespace py = pybind11;
 
-/// Doubles side by side; what is not is copied.
-using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// Doubles side by side; other numbers are copied, and what is no real number is refused.
+using Array = py::array_t<double, py::array::c_style>;
 
 inline std::span<const double> view(const Array& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
@@ -63,6 +63,8 @@ void one_of(const Shape& shape, std::size_t i, const Work& work) {
     throw std::domain_error(place_of(i, shape) + e.what());
   } catch (const std::invalid_argument& e) {
     throw std::invalid_argument(place_of(i, shape) + e.what());
+  } catch (const calibration::NotConverged& e) {
+    throw calibration::NotConverged(place_of(i, shape) + e.what());
   }
 }
 
@@ -122,6 +124,18 @@ std::string described(const char* name, const std::pair<const char*, Values>&...
   std::string out;
   ((out += (out.empty() ? "" : ", ") + std::string(parts.first) + "=" + repr_of(parts.second)), ...);
   return name + ("(" + out + ")");
+}
+
+/// Makes of T's description a __repr__, which may be asked of an object whose __init__ has not come to its end: it has
+/// no T yet.
+template <class T, class Describe>
+auto shown(Describe describe) {
+  return [describe](const py::object& self) -> std::string {
+    auto* object = reinterpret_cast<py::detail::instance*>(self.ptr());
+    if (!object->get_value_and_holder().holder_constructed())
+      return "<" + py::type::of(self).attr("__name__").template cast<std::string>() + " without a value>";
+    return describe(self.cast<const T&>());
+  };
 }
 
 /// Three numbers.

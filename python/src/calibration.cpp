@@ -128,10 +128,12 @@ void bind_fit(py::module_& m) {
       .def_readonly("value", &Estimate::value, "[unit]")
       .def_readonly("error", &Estimate::error, "its standard error [unit]")
       .def_readonly("unit", &Estimate::unit, "of both, \"\" of a number")
-      .def("__repr__", [](const Estimate& e) {
-        return described("Estimate", std::pair("name", e.name), std::pair("value", e.value),
-                         std::pair("error", e.error), std::pair("unit", e.unit));
-      });
+      .def("__repr__", shown<Estimate>([](const Estimate& e) {
+             return "<" +
+                    described("Estimate", std::pair("name", e.name), std::pair("value", e.value),
+                              std::pair("error", e.error), std::pair("unit", e.unit)) +
+                    ">";
+           }));
   py::class_<Fit>(m, "Fit", "A weighted least-squares fit of one law to measured rebounds.")
       .def_property_readonly(
           "name", [](const Fit& fit) { return fit_name(fit.request); }, "the law's, and its end's")
@@ -160,16 +162,18 @@ void bind_fit(py::module_& m) {
             return py::vectorize([&fit](double v) { return predict(fit, v).en; })(velocity);
           },
           py::arg("velocity"), "e_n that the fitted law has at these velocities [m/s].")
-      .def("__repr__", [](const Fit& fit) {
-        std::string out = "Fit(" + fit_name(fit.request) + ":";
-        for (const Estimate& e : fit.parameters)
-          out += " " + e.name + "=" + spelled(e.value) + "(" + spelled(e.error) + ")";
-        return out + ", chi2=" + spelled(fit.chi2) + ", observations=" + std::to_string(fit.observations) + ")";
-      });
+      .def("__repr__", shown<Fit>([](const Fit& fit) {
+             std::string out = "<Fit(" + fit_name(fit.request) + ":";
+             for (const Estimate& e : fit.parameters)
+               out += " " + e.name + "=" + spelled(e.value) + "(" + spelled(e.error) + ")";
+             return out + ", chi2=" + spelled(fit.chi2) + ", observations=" + std::to_string(fit.observations) + ")>";
+           }));
   m.def("_fit", [](const std::string& law, const std::string& end, double mass_eff, const Array& velocity,
                    const Array& en, const Array& en_sigma, const Array& tcol, const Array& tcol_sigma) {
-    return fit_law({.law = kind_named(law), .end = end_of(end), .mass_eff = mass_eff},
-                   measurements(velocity, en, en_sigma, tcol, tcol_sigma));
+    const FitRequest request{.law = kind_named(law), .end = end_of(end), .mass_eff = mass_eff};
+    const auto rows = measurements(velocity, en, en_sigma, tcol, tcol_sigma);
+    const py::gil_scoped_release others_go_on;
+    return fit_law(request, rows);
   });
 }
 

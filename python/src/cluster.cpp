@@ -37,16 +37,17 @@ void bind_walls(py::module_& m) {
           },
           py::arg("point"), py::arg("axis"), py::arg("radius"), py::arg("material") = 0, py::arg("spin") = 0.0,
           "The inside of a cylinder without end, radius [m], that spins about its axis [1/s].")
-      .def("__repr__", [](const Wall& w) {
-        const auto* cylinder = std::get_if<surface::Cylinder>(&w.form);
-        const std::pair point("point", vector_of(w.point)),
-            direction(cylinder ? "axis" : "inward", vector_of(w.inward));
-        const std::pair material("material", w.material);
-        if (cylinder)
-          return described("Wall.cylinder", point, direction, std::pair("radius", cylinder->radius), material,
-                           std::pair("spin", w.motion.spin));
-        return described("Wall.plane", point, direction, material, std::pair("velocity", vector_of(w.motion.velocity)));
-      });
+      .def("__repr__", shown<Wall>([](const Wall& w) {
+             const auto* cylinder = std::get_if<surface::Cylinder>(&w.form);
+             const std::pair point("point", vector_of(w.point)),
+                 direction(cylinder ? "axis" : "inward", vector_of(w.inward));
+             const std::pair material("material", w.material);
+             if (cylinder)
+               return described("Wall.cylinder", point, direction, std::pair("radius", cylinder->radius), material,
+                                std::pair("spin", w.motion.spin));
+             return described("Wall.plane", point, direction, material,
+                              std::pair("velocity", vector_of(w.motion.velocity)));
+           }));
   m.def(
       "box_walls",
       [](const Array& low, const Array& high, std::size_t material) {
@@ -69,13 +70,14 @@ void bind_interaction(py::module_& m) {
            }),
            py::arg("law"), py::arg("tangential") = TangentialContact{}, py::arg("end") = "force")
       .def_property_readonly("end", &end_word, "force or overlap")
-      .def("__repr__", [](const Interaction& i) {
-        return "<" +
-               described("Interaction", std::pair("law", std::string(i.law.name())),
-                         std::pair("tangential", TangentialContact{i.tangential, i.friction, i.torsion, i.rolling}),
-                         std::pair("end", end_word(i))) +
-               ">";
-      });
+      .def("__repr__", shown<Interaction>([](const Interaction& i) {
+             return "<" +
+                    described(
+                        "Interaction", std::pair("law", std::string(i.law.name())),
+                        std::pair("tangential", TangentialContact{i.tangential, i.friction, i.torsion, i.rolling}),
+                        std::pair("end", end_word(i))) +
+                    ">";
+           }));
 }
 
 /// Rows of equal number, one a sphere.
@@ -158,7 +160,7 @@ py::list finished(Cluster& cluster) {
   return out;
 }
 
-/// A cluster for Python's threads: while one advances it no other may look. `moving_` is under Python's lock.
+/// A cluster for Python's threads: while one is in a step no other may look. `moving_` is under Python's lock.
 class GuardedCluster {
  public:
   explicit GuardedCluster(Cluster cluster) : cluster_(std::move(cluster)) {}
@@ -168,23 +170,25 @@ class GuardedCluster {
     return cluster_;
   }
 
-  /// By portions, between which Ctrl-C is heard.
+  /// By portions, between which Ctrl-C is heard and a signal's handler may look.
   void advance(std::uint64_t steps) {
-    still();
-    const Moving moving(moving_);
     constexpr std::uint64_t portion = 256;
     for (std::uint64_t left = steps; left > 0; left -= std::min(left, portion)) {
-      bool finite = false;
-      {
-        const py::gil_scoped_release others_go_on;
-        finite = cluster_.advance(std::min(left, portion));
-      }
-      if (!finite) throw std::runtime_error("a position or velocity is not finite: the step is too large");
+      if (!advance_at_once(std::min(left, portion)))
+        throw std::runtime_error("a position or velocity is not finite: the step is too large");
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
   }
+  std::size_t size() const noexcept { return cluster_.size(); }
 
  private:
+  bool advance_at_once(std::uint64_t steps) {
+    Cluster& cluster = still();
+    const Moving moving(moving_);
+    const py::gil_scoped_release others_go_on;
+    return cluster.advance(steps);
+  }
+
   class Moving {
    public:
     explicit Moving(bool& flag) : flag_(flag) { flag_ = true; }
@@ -222,7 +226,7 @@ void bind_cluster(py::module_& m) {
       .def("advance", &GuardedCluster::advance, py::arg("steps"))
       .def_property_readonly("time", told([](const Cluster& c) { return c.time(); }))
       .def_property_readonly("steps", told([](const Cluster& c) { return c.steps(); }))
-      .def("__len__", told([](const Cluster& c) { return c.size(); }))
+      .def("__len__", &GuardedCluster::size)
       .def_property_readonly("positions", told([](const Cluster& c) { return rows(c, &Cluster::position); }))
       .def_property_readonly("velocities", told([](const Cluster& c) { return rows(c, &Cluster::velocity); }))
       .def_property_readonly("spins", told([](const Cluster& c) { return rows(c, &Cluster::spin); }))

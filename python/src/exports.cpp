@@ -42,7 +42,11 @@ py::object tangential_for(const std::string& form, const py::object& normal, dou
   if (!named) throw std::invalid_argument("form = " + form + ": must be linear, linear-undamped or mindlin");
   const Target target{tcol, en, {velocity, mass_eff}};
   obtained(law_of(normal), target.impact, end_of(end), tcol, en);
-  const auto found = calibrate_tangential({.form = *named, .beta0 = beta0}, law_of(normal), end_of(end), target);
+  const AnyLaw law = law_of(normal);
+  const auto found = [&, ends = end_of(end)] {
+    const py::gil_scoped_release others_go_on;
+    return calibrate_tangential({.form = *named, .beta0 = beta0}, law, ends, target);
+  }();
   if (const auto* missed = std::get_if<Infeasible>(&found)) throw std::invalid_argument(text_of(*missed));
   return object_of(std::get<TangentialCalibration>(found).law);
 }
@@ -83,9 +87,9 @@ void bind_exports(py::module_& m) {
           "exact: the engine runs this very law; close: another one; absent: it can't")
       .def_readonly("remarks", &Snippet::remarks, "what is to be known before it is used")
       .def_readonly("text", &Snippet::text, "lines of the engine's input")
-      .def("__repr__", [](const Snippet& s) {
-        return "Snippet(" + std::string(text(s.engine)) + ", " + std::string(text(s.fidelity)) + ")";
-      });
+      .def("__repr__", shown<Snippet>([](const Snippet& s) {
+             return "<Snippet(" + std::string(text(s.engine)) + ", " + std::string(text(s.fidelity)) + ")>";
+           }));
   m.def(
       "export_law", &snippet, py::arg("engine"), py::arg("law"), py::kw_only(), py::arg("tcol") = py::none(),
       py::arg("en") = py::none(), py::arg("velocity") = 0.5, py::arg("mass_eff") = 7.06858e-6, py::arg("end") = "force",

@@ -63,7 +63,8 @@ void bind_kernel(py::module_& m) {
       [](double alpha, double shortest, double longest, double tolerance) {
         return memory_kernel(alpha, shortest, longest, tolerance);
       },
-      py::arg("alpha"), py::arg("shortest"), py::arg("longest"), py::arg("tolerance") = 1e-8,
+      py::call_guard<py::gil_scoped_release>(), py::arg("alpha"), py::arg("shortest"), py::arg("longest"),
+      py::arg("tolerance") = 1e-8,
       "The kernel with the fewest arms that keeps the relative error `tolerance` (1e-12 to 0.1) between the times "
       "`shortest` and `longest` [s], at most 1e6 times longer, for 0 <= alpha <= 1.");
 }

@@ -84,7 +84,7 @@ py::object bind(py::module_& m) {
     for (const Parameter& p : Law::parameters) out[std::string(p.name).c_str()] = p.unit();
     return out;
   });
-  c.def("__repr__", [](const Law& law) { return text_of(law); });
+  c.def("__repr__", shown<Law>([](const Law& law) { return text_of(law); }));
   c.def("__eq__", [](const Law& law, const py::object& other) {
     return py::isinstance<Law>(other) && other.cast<const Law&>().values() == law.values();
   });

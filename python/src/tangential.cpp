@@ -3,6 +3,7 @@
 #include <ricochet/collision/oblique.hpp>
 #include <ricochet/contact/tangential.hpp>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -16,9 +17,9 @@ py::class_<Law> bind_spring(py::module_& m, const char* name, const char* what) 
       .def(py::init<double, double>(), py::arg("k_t"), py::arg("c_t") = 0.0)
       .def_property_readonly("k_t", &Law::k_t)
       .def_property_readonly("c_t", &Law::c_t)
-      .def("__repr__", [name](const Law& law) {
-        return described(name, std::pair("k_t", law.k_t()), std::pair("c_t", law.c_t()));
-      });
+      .def("__repr__", shown<Law>([name](const Law& law) {
+             return described(name, std::pair("k_t", law.k_t()), std::pair("c_t", law.c_t()));
+           }));
 }
 
 void bind_parts(py::module_& m) {
@@ -29,9 +30,9 @@ void bind_parts(py::module_& m) {
            py::arg("stiffness") = 0.0, py::arg("damping") = 0.0)
       .def_readonly("stiffness", &Spring::stiffness, "[N/m, or N m]")
       .def_readonly("damping", &Spring::damping, "[N s/m, or N m s]")
-      .def("__repr__", [](const Spring& s) {
-        return described("Spring", std::pair("stiffness", s.stiffness), std::pair("damping", s.damping));
-      });
+      .def("__repr__", shown<Spring>([](const Spring& s) {
+             return described("Spring", std::pair("stiffness", s.stiffness), std::pair("damping", s.damping));
+           }));
   py::class_<Friction>(m, "Friction",
                        "mu(u) = mu_dynamic + (mu_static - mu_dynamic) exp(-decay u), Eq. (35); rolling_arm in contact "
                        "radii (46).")
@@ -44,13 +45,14 @@ void bind_parts(py::module_& m) {
       .def_property_readonly("mu_dynamic", &Friction::mu_dynamic)
       .def_property_readonly("decay", &Friction::decay, "[s/m]")
       .def_property_readonly("rolling_arm", &Friction::rolling_arm)
-      .def("__repr__", [](const Friction& f) {
-        return described("Friction", std::pair("mu_static", f.mu_static()), std::pair("mu_dynamic", f.mu_dynamic()),
-                         std::pair("decay", f.decay()), std::pair("rolling_arm", f.rolling_arm()));
-      });
+      .def("__repr__", shown<Friction>([](const Friction& f) {
+             return described("Friction", std::pair("mu_static", f.mu_static()),
+                              std::pair("mu_dynamic", f.mu_dynamic()), std::pair("decay", f.decay()),
+                              std::pair("rolling_arm", f.rolling_arm()));
+           }));
   py::class_<RigidTangential>(m, "RigidTangential", "The paper's friction: sticks, or slides at the limit.")
       .def(py::init<>())
-      .def("__repr__", [](const RigidTangential&) { return described("RigidTangential"); });
+      .def("__repr__", shown<RigidTangential>([](const RigidTangential&) { return described("RigidTangential"); }));
   bind_spring<LinearTangential>(m, "LinearTangential", "Spring and dashpot of constant k_t [N/m], c_t [N s/m].");
   bind_spring<MindlinTangential>(m, "MindlinTangential", "k_t sqrt(overlap), k_t = 8 G* sqrt(R*) [kg/(s^2 m^(1/2))].")
       .def_static("of", &MindlinTangential::of, py::arg("shear_modulus_eff"), py::arg("radius_eff"),
@@ -92,12 +94,12 @@ void bind_contact(py::module_& m) {
            py::arg("law") = RigidTangential{}, py::arg("friction") = Friction(), py::kw_only(),
            py::arg("torsion_limit") = "none", py::arg("torsion_spring") = Spring{},
            py::arg("torsion_arm") = Torsion{}.arm, py::arg("mu_rolling") = 0.0, py::arg("rolling_spring") = Spring{})
-      .def("__repr__", [](const TangentialContact& c) {
-        return described("TangentialContact", std::pair("law", object_of(c.law)), std::pair("friction", c.friction),
-                         std::pair("torsion_limit", word_of(c.torsion.limit)),
-                         std::pair("torsion_spring", c.torsion.spring), std::pair("torsion_arm", c.torsion.arm),
-                         std::pair("mu_rolling", c.rolling.mu), std::pair("rolling_spring", c.rolling.spring));
-      });
+      .def("__repr__", shown<TangentialContact>([](const TangentialContact& c) {
+             return described("TangentialContact", std::pair("law", object_of(c.law)),
+                              std::pair("friction", c.friction), std::pair("torsion_limit", word_of(c.torsion.limit)),
+                              std::pair("torsion_spring", c.torsion.spring), std::pair("torsion_arm", c.torsion.arm),
+                              std::pair("mu_rolling", c.rolling.mu), std::pair("rolling_spring", c.rolling.spring));
+           }));
 }
 
 void bind_oblique(py::module_& m) {
@@ -112,12 +114,13 @@ void bind_oblique(py::module_& m) {
       .def_static(
           "wall", [](const Array& velocity) { return ImpactBody::wall(vec3_of(velocity)); },
           py::arg("velocity") = array_of(Vec3{}), "Of infinite mass.")
-      .def("__repr__", [](const ImpactBody& b) {
-        const std::pair velocity("velocity", vector_of(b.velocity));
-        if (b.is_wall()) return described("ImpactBody.wall", velocity);
-        return described("ImpactBody", std::pair("mass", b.mass), std::pair("radius", b.radius), velocity,
-                         std::pair("spin", vector_of(b.spin)), std::pair("inertia_ratio", b.inertia_ratio));
-      });
+      .def("__repr__", shown<ImpactBody>([](const ImpactBody& b) {
+             const std::pair velocity("velocity", vector_of(b.velocity));
+             const bool still = b.spin.x == 0 && b.spin.y == 0 && b.spin.z == 0;
+             if (b.is_wall() && std::isinf(b.radius) && still) return described("ImpactBody.wall", velocity);
+             return described("ImpactBody", std::pair("mass", b.mass), std::pair("radius", b.radius), velocity,
+                              std::pair("spin", vector_of(b.spin)), std::pair("inertia_ratio", b.inertia_ratio));
+           }));
 }
 
 py::dict losses(const ObliqueLosses& lost) {

@@ -7,6 +7,8 @@ import signal
 import subprocess
 import sys
 import time
+from decimal import Decimal
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -131,7 +133,7 @@ def test_an_export_trusts_the_law_and_not_what_is_said_of_it():
         return [line for line in snippet.text.splitlines() if line.startswith("pair_")]
 
     assert contact(ricochet.export_law("lammps", law)) == contact(asked) and len(contact(asked)) == 2
-    assert repr(asked) == "Snippet(lammps, exact)"
+    assert repr(asked) == "<Snippet(lammps, exact)>"
     ricochet.export_law("lammps", ricochet.Linear(float(f"{law.k:.9g}"), float(f"{law.c:.9g}")), tcol=1e-4, en=0.5)
     with pytest.raises(ValueError, match="en = 0.9: the law gives 0.5"):
         ricochet.export_law("lammps", law, en=0.9)
@@ -175,7 +177,7 @@ def test_a_fit_finds_the_law_that_made_the_data():
     np.testing.assert_allclose(fit.predict_en(velocity), en, rtol=1e-6)
     assert all(p.error > 0 for p in fit.parameters.values())
     assert fit.aic < ricochet.fit("linear", velocity, en, en_sigma=0.01).aic
-    assert isinstance(fit.predict_en(0.5), float) and repr(fit).startswith("Fit(kuwabara-kono: ")
+    assert isinstance(fit.predict_en(0.5), float) and repr(fit).startswith("<Fit(kuwabara-kono: ")
     with pytest.raises(ValueError, match="en_sigma = 0.0: must be > 0"):
         ricochet.fit("kuwabara-kono", velocity, en, en_sigma=0.0)
 
@@ -283,18 +285,39 @@ def test_an_array_tells_which_of_its_numbers_is_wrong():
         ricochet.fractional_contact([0.2, 1.5])
     with pytest.raises(ValueError, match="^at index 1: en = 2"):
         ricochet.conversion_degree([0.2, 2.0])
+    x = np.zeros((2, 120_000))
+    x[1, 3] = 9.0
+    with pytest.raises(ValueError, match=r"^at index \(1, 3\): x = 9"):
+        ricochet.mittag_leffler(1.0, 1.0, x)
+    with pytest.raises(ValueError, match="^x = 9"):
+        ricochet.mittag_leffler(1.0, 1.0, 9.0)
+    with pytest.raises(ValueError, match="^at index 1: coefficient = -1"):
+        ricochet.tcol_estimate([1.0, -1.0], 0.5)
 
 
 def test_what_is_no_number_is_none():
     hidden = np.ma.array([0.5, 0.6], mask=[False, True])
     for call in (lambda en: ricochet.calibrate("linear", 1e-4, en), lambda x: ricochet.mittag_leffler(0.5, 1.0, x)):
-        with pytest.raises(ValueError, match="masked values"):
+        with pytest.raises(ValueError, match="^(en|x): has masked values"):
             call(hidden)
         for wrong in ("0.5", ["0.5"], 0.5j, [0.5, None]):
-            with pytest.raises(TypeError, match="must be real numbers"):
+            with pytest.raises(TypeError, match="^(en|x): must be real numbers, not "):
                 call(wrong)
     shown = ricochet.mittag_leffler(0.5, 1.0, np.ma.array([0.5, 0.6]))
     assert shown.tolist() == ricochet.mittag_leffler(0.5, 1.0, [0.5, 0.6]).tolist()
+
+
+def test_numbers_of_any_kind_are_numbers():
+    law, en = ricochet.Linear(1e4, 0.1), ricochet.collide(ricochet.Linear(1e4, 0.1), 0.5, MASS).en
+    for half in (Fraction(1, 2), Decimal("0.5"), np.float32(0.5), np.array(0.5), np.array(0.5, dtype=object)):
+        assert ricochet.collide(law, half, MASS).en == en
+    assert ricochet.calibrate("fractional-hertz", 1e-4, 0.5, alpha=Fraction(1, 2)).alpha == 0.5
+    assert ricochet.tcol_estimate(10**20, 0.5) == ricochet.tcol_estimate(1e20, 0.5)
+    for velocity in ([1, 2, 3], np.array([1, 2, 3]), np.array([1, 2, 3], dtype=np.float32)):
+        assert "velocity=[1.0, 2.0, 3.0]" in repr(ricochet.ImpactBody(1, 1, velocity))
+    for wrong in (np.array(["1", "2", "3"]), np.array([1j, 2, 3])):
+        with pytest.raises(TypeError):
+            ricochet.ImpactBody(1, 1, wrong)
 
 
 def test_what_is_of_another_type_is_named():
@@ -338,5 +361,20 @@ def test_what_is_printed_can_be_read_back():
     )
     separate = ricochet.TangentialContact(mindlin, torsion_limit="separate", torsion_spring=spring, torsion_arm=0.25)
     assert "torsion_arm=0.25" in repr(separate) and "torsion_limit='separate'" in repr(separate)
+    spinning = ricochet.ImpactBody(np.inf, 1e-3, (0, 0, 0), (0, 300, 0))
+    assert "mass=inf" in repr(spinning) and "spin=[0.0, 300.0, 0.0]" in repr(spinning)
     interaction = repr(ricochet.Interaction(ricochet.Linear(1.0, 0.0), contact, end="overlap"))
     assert interaction == f"<Interaction(law='linear', tangential={contact!r}, end='overlap')>"
+
+
+def test_what_was_never_made_can_be_shown():
+    for kind in (
+        ricochet.Interaction,
+        ricochet.TangentialContact,
+        ricochet.Spring,
+        ricochet.Wall,
+        ricochet.Linear,
+        ricochet.Fit,
+        ricochet.Snippet,
+    ):
+        assert repr(kind.__new__(kind)) == f"<{kind.__name__} without a value>"
