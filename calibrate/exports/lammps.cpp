@@ -316,14 +316,15 @@ struct Lammps {
   }
   static std::string target(const PairCase& p) { return fmt::format("{} {}", shortest(p.tcol), shortest(p.en)); }
 
-  /// A law of real solids, by its parameters.
+  /// The model of a law of real solids, by its parameters.
+  static std::string solid(const PairCase& p) {
+    const std::string words = fmt::format("{} {}", model_of(name(p.law)), numbers(p));
+    return std::holds_alternative<FractionalHertz>(p.law) ? fmt::format("{} {}", words, shortest(p.impact.velocity))
+                                                          : words;
+  }
   template <RemembersAll Law>
   Body operator()(const Law&) const {
-    const auto model = [](const PairCase& p) {
-      const std::string words = fmt::format("{} {}", model_of(Law::name), numbers(p));
-      return std::same_as<Law, FractionalHertz> ? fmt::format("{} {}", words, shortest(p.impact.velocity)) : words;
-    };
-    return remembering(Law::name, model, {},
+    return remembering(Law::name, solid, {},
                        "The parameters are those of every pair alike, whatever its masses and radii.");
   }
 
