@@ -379,6 +379,44 @@ def _whole(values: ArrayLike, count: int) -> Sequence[int]:
     return [int(number) for number in np.broadcast_to(given, (count,))]
 
 
+def _bodies(
+    positions: ArrayLike,
+    radii: ArrayLike,
+    densities: ArrayLike,
+    velocities: ArrayLike,
+    spins: ArrayLike,
+    materials: ArrayLike,
+) -> Sequence[Any]:
+    """One row, or number, a sphere."""
+    x = np.ascontiguousarray(_doubles("positions", positions))
+    if x.ndim != 2 or x.shape[1] != 3:
+        raise ValueError(f"positions of shape {x.shape}: must be (n, 3)")
+    n = x.shape[0]
+    r, density = (
+        np.ascontiguousarray(np.broadcast_to(_doubles(name, values), (n,)))
+        for name, values in (("radii", radii), ("densities", densities))
+    )
+    v, spin = _rows("velocities", velocities, n), _rows("spins", spins, n)
+    _require_finite(positions=x, velocities=v, spins=spin)
+    _require_finite(positive=True, radii=r, densities=density)
+    return [x, r, density, v, spin, _whole(materials, n)]
+
+
+Interactions = Union[Interaction, Mapping[Tuple[int, int], Interaction]]
+
+
+def _pairs(interactions: Interactions) -> Sequence[Tuple[Tuple[int, int], Interaction]]:
+    by_pair = {(0, 0): interactions} if isinstance(interactions, Interaction) else interactions
+    if not isinstance(by_pair, Mapping):
+        raise TypeError(f"interactions = {interactions!r}: must be an Interaction or a dict of them")
+    for pair, how in by_pair.items():
+        if not isinstance(how, Interaction):
+            raise TypeError(f"interactions[{pair!r}] = {how!r}: must be an Interaction")
+        if not (isinstance(pair, tuple) and len(pair) == 2):
+            raise TypeError(f"interactions[{pair!r}]: must be a pair of materials, (0, 1) or so")
+    return list(by_pair.items())
+
+
 class Cluster:
     """Spheres and walls in motion; see <ricochet/motion/cluster.hpp> for the scheme and its order.
 
@@ -387,8 +425,7 @@ class Cluster:
     dict {(a, b): Interaction} by pair of materials. `gravity` [m/s^2]; `period` [m], in which space repeats itself
     along an axis, 0 where it does not (positions are not brought back). `step` [s], at most a 20th of the stiffest
     contact's time; None takes a fortieth. `solver_tolerance` is that of rigid friction's sweeps. Results do not depend
-    on `threads`. While one thread of Python advances it, another one's look at it is a
-    RuntimeError.
+    on `threads`. While one thread of Python advances it, another one's look at it is a RuntimeError.
     """
 
     def __init__(
@@ -396,7 +433,7 @@ class Cluster:
         positions: ArrayLike,
         radii: ArrayLike,
         densities: ArrayLike,
-        interactions: Union[Interaction, Mapping[Tuple[int, int], Interaction]],
+        interactions: Interactions,
         *,
         velocities: ArrayLike = (0.0, 0.0, 0.0),
         spins: ArrayLike = (0.0, 0.0, 0.0),
@@ -408,27 +445,8 @@ class Cluster:
         threads: int = 1,
         solver_tolerance: float = 1e-10,
     ) -> None:
-        x = np.ascontiguousarray(_doubles("positions", positions))
-        if x.ndim != 2 or x.shape[1] != 3:
-            raise ValueError(f"positions of shape {x.shape}: must be (n, 3)")
-        n = x.shape[0]
-        r, density = (
-            np.ascontiguousarray(np.broadcast_to(_doubles(name, v), (n,)))
-            for name, v in (("radii", radii), ("densities", densities))
-        )
-        v, spin = _rows("velocities", velocities, n), _rows("spins", spins, n)
-        _require_finite(positions=x, velocities=v, spins=spin)
-        _require_finite(positive=True, radii=r, densities=density)
-        bodies = [x, r, density, v, spin, _whole(materials, n)]
-        by_pair = {(0, 0): interactions} if isinstance(interactions, Interaction) else interactions
-        if not isinstance(by_pair, Mapping):
-            raise TypeError(f"interactions = {interactions!r}: must be an Interaction or a dict of them")
-        pairs = list(by_pair.items())
-        for pair, how in pairs:
-            if not isinstance(how, Interaction):
-                raise TypeError(f"interactions[{pair!r}] = {how!r}: must be an Interaction")
-            if not (isinstance(pair, tuple) and len(pair) == 2):
-                raise TypeError(f"interactions[{pair!r}]: must be a pair of materials, (0, 1) or so")
+        bodies = _bodies(positions, radii, densities, velocities, spins, materials)
+        pairs = _pairs(interactions)
         for wall in walls:
             if not isinstance(wall, Wall):
                 raise TypeError(f"walls: must be of Wall, not {wall!r}")
