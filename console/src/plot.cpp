@@ -110,7 +110,8 @@ std::string with_resolution(std::string png) {
 }
 
 /// The picture without the time at which it was drawn, which Cairo notes in it: the same figure is the same bytes.
-/// Other digits in their place, as the file counts its bytes.
+/// Other digits in their place, as the file counts its bytes. Cairo from 1.18 on packs the time into a compressed
+/// object, where it stays.
 std::string without_time(std::string pdf) {
   constexpr std::string_view before = "/CreationDate (D:", some_day = "20000101000000";
   if (const auto at = pdf.find(before); at != std::string::npos)

