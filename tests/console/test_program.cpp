@@ -78,7 +78,7 @@ TEST_CASE("a program that succeeds is silent on stderr") {
   CHECK(ran.err.empty());
 }
 
-TEST_CASE("-o - is stdout") { CHECK(run({"--en", "0.25", "-o", "-"}).out == "en 0.250000 0\n"); }
+TEST_CASE("a dash for -o is stdout") { CHECK(run({"--en", "0.25", "-o", "-"}).out == "en 0.250000 0\n"); }
 
 TEST_CASE("help and version are done") {
   CHECK(run({"--version"}).out == std::string("try ") + ricochet::version + "\n");
