@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -91,9 +92,15 @@ int main(int argc, char** argv) {
   app.add_option("SCENE", file, "the scene file (JSON)")->required();
   app.add_option("-o,--output", folder, "the folder to write to, made if missing")->required();
   app.add_flag("--resume", resume, "go on with an interrupted run in that folder");
-  app.add_option("--threads", threads,
-                 "that share the work where no friction is rigid; results are the same to the bit")
-      ->check(CLI::Range(1, 256));
+  const auto read_threads = [&threads](const std::string& value) {
+    const auto number = console::parse_number(value);
+    if (!number || *number < 1 || *number > 256 || *number != std::floor(*number))
+      throw CLI::ValidationError(fmt::format("--threads = {}: must be a whole number from 1 to 256", value));
+    threads = static_cast<int>(*number);
+  };
+  app.add_option_function<std::string>(
+         "--threads", read_threads, "that share the work where no friction is rigid; results are the same to the bit")
+      ->type_name("INT");
   app.add_option("--format", format,
                  "xyz, or vtk: a file a frame for ParaView as well, in DIR/vtk; a resumed run keeps its own")
       ->check(CLI::IsMember({"xyz", "vtk"}))

@@ -29,6 +29,8 @@ same() {
   mkdir out
   "${german[@]}" "$@" >out/stdout 2>out/stderr </dev/null || code_de=$?
   [[ $code_c == "$code_de" ]] || fail "$*: exit codes $code_c and $code_de: $(cat out/stderr)"
+  # Cairo packs the time into a PDF from version 1.18 on.
+  if grep -qrs --include='*.pdf' /ObjStm out; then rm -f out/*.pdf out_c/*.pdf; fi
   diff -r out_c out || fail "$*: differs"
   rm -rf out
 }
