@@ -28,8 +28,6 @@ Array = NDArray[np.float64]
 Number = Union[float, Array]
 Numbers = TypeVar("Numbers", float, Array)  # a number for numbers, an array for arrays
 
-_portion = 100_000  # numbers at a time, between which Ctrl-C is heard
-
 
 def _doubles(name: str, values: ArrayLike) -> Array:
     """As doubles: text, complex numbers, None and what a mask hides are none."""
@@ -65,34 +63,6 @@ def _count(name: str, value: Any, least: int) -> int:
     return number
 
 
-def _place(i: int, shape: Tuple[int, ...]) -> str:
-    place = ", ".join(str(number) for number in np.unravel_index(i, shape))
-    return f"at index ({place})" if len(shape) > 1 else f"at index {place}"
-
-
-def _in_portions(function: Any, **given: ArrayLike) -> Any:
-    """function of the values, elementwise."""
-    values = [_doubles(name, one) for name, one in given.items()]
-    together = np.broadcast(*values)  # a ValueError where the shapes do not fit
-    if together.ndim == 0:
-        return function(*values)
-    flat = [v if v.ndim == 0 else np.broadcast_to(v, together.shape).reshape(-1) for v in values]
-    out = np.empty(together.size)
-    for at in range(0, together.size, _portion):
-        part = slice(at, at + _portion)
-        some = [v if v.ndim == 0 else v[part] for v in flat]
-        try:
-            out[part] = function(*some)
-        except ValueError:
-            for i, one in enumerate(np.broadcast(*some)):  # which of them it was
-                try:
-                    function(*one)
-                except ValueError as error:
-                    raise ValueError(f"{_place(at + i, together.shape)}: {error}") from None
-            raise
-    return out.reshape(together.shape)
-
-
 @overload
 def mittag_leffler(a: float, b: float, x: float) -> float: ...  # type: ignore
 @overload
@@ -102,7 +72,8 @@ def mittag_leffler(a: ArrayLike, b: ArrayLike, x: ArrayLike) -> Number:
 
     Relative error 1e-13 and 20 roundings of x.
     """
-    return _in_portions(_core._mittag_leffler, a=a, b=b, x=x)  # type: ignore[no-any-return]
+    flat, shape = _broadcast(a=a, b=b, x=x)
+    return _shaped(_core._mittag_leffler(*flat, shape), shape)  # type: ignore[no-any-return]
 
 
 @overload
@@ -111,7 +82,8 @@ def tcol_estimate(coefficient: float, alpha: float) -> float: ...  # type: ignor
 def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Array: ...
 def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Number:
     """Estimate (57) of the collision time [s], of A = c^alpha k^(1-alpha)/m [s^(alpha-2)]."""
-    return _in_portions(_core._tcol_estimate, coefficient=coefficient, alpha=alpha)  # type: ignore[no-any-return]
+    flat, shape = _broadcast(coefficient=coefficient, alpha=alpha)
+    return _shaped(_core._tcol_estimate(*flat, shape), shape)  # type: ignore[no-any-return]
 
 
 def _broadcast(**values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple[int, ...]]:

@@ -85,6 +85,15 @@ void each_one(std::size_t count, const Shape& shape, const Work& work) {
   }
 }
 
+/// A number of each case, as each_one makes them.
+template <class F>
+Array each_value(std::size_t count, const Shape& shape, const F& value) {
+  Array out(static_cast<py::ssize_t>(count));
+  double* to = out.mutable_data();
+  each_one(count, shape, [&](std::size_t i) { to[i] = value(i); });
+  return out;
+}
+
 /// One member of each of these.
 template <class T>
 Array column_of(const std::vector<T>& all, double T::*member) {

@@ -72,7 +72,11 @@ void bind_kernel(py::module_& m) {
 }  // namespace
 
 void bind_fractional(py::module_& m) {
-  m.def("_mittag_leffler", py::vectorize(&mittag_leffler));
+  m.def("_mittag_leffler", [](const Array& a, const Array& b, const Array& x, const Shape& shape) {
+    require_one_length(x, a, b);
+    const auto all_a = view(a), all_b = view(b), all_x = view(x);
+    return each_value(all_x.size(), shape, [&](std::size_t i) { return mittag_leffler(all_a[i], all_b[i], all_x[i]); });
+  });
   py::class_<MittagLeffler>(m, "MittagLeffler", "E_{a,b} prepared for many x at one (a, b).")
       .def(py::init<double, double>(), py::arg("a"), py::arg("b"))
       .def_property_readonly("a", &MittagLeffler::a)
@@ -82,11 +86,13 @@ void bind_fractional(py::module_& m) {
   m.def("_conversion_degree", [](const Array& en, const std::string& word, const Shape& shape) {
     const ContactEnd end = end_of(word);
     const auto all = view(en);
-    std::vector<double> degrees(all.size());
-    each_one(all.size(), shape, [&](std::size_t i) { degrees[i] = conversion_degree(all[i], end); });
-    return filled(all.size(), [&](std::size_t i) { return degrees[i]; });
+    return each_value(all.size(), shape, [&](std::size_t i) { return conversion_degree(all[i], end); });
   });
-  m.def("_tcol_estimate", py::vectorize(&tcol_estimate));
+  m.def("_tcol_estimate", [](const Array& coefficient, const Array& alpha, const Shape& shape) {
+    require_one_length(coefficient, alpha);
+    const auto all = view(coefficient), alphas = view(alpha);
+    return each_value(all.size(), shape, [&](std::size_t i) { return tcol_estimate(all[i], alphas[i]); });
+  });
   bind_kernel(m);
 }
 
