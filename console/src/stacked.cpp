@@ -11,7 +11,8 @@ namespace ricochet::console {
 namespace {
 
 // Pixels; a screen of 390 shows them about as they are.
-constexpr int width = 420, left = 110, right = 16;
+constexpr int width = 420, left = 110;
+constexpr int right = 24;                ///< holds half of the last number of an axis, of five digits
 constexpr int above = 14, title = 24;    ///< over a panel, and what its title needs
 constexpr int axis = 68, key_line = 25;  ///< under it, and for every line of a key there
 

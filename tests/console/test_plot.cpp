@@ -270,6 +270,8 @@ TEST_CASE("on a phone panels stand one below another, with both axes each and th
     CHECK(narrow.height * (p.box->top - p.box->bottom) == Approx(panel_height));
     CHECK(p.box->top < above);
     above = p.box->bottom;
+    // Half of 10000 at the right end of an axis, whose digits of 14 pixels are 0.636 of that wide (DejaVu Sans).
+    CHECK(narrow.width * (1 - p.box->right) > 5 * 0.636 * 14 / 2);
   }
   CHECK(above > 0);
   // The key of all has one line, between the first panel and the second.
