@@ -11,7 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,7 +83,7 @@ int main(int argc, char** argv) {
   console::add_version(app);
   std::string file, folder, page;
   bool resume = false;
-  int threads = 1;
+  std::optional<unsigned> threads;
   std::string format = "xyz";
   app.footer(
       "Exit code 0: done; 2: bad input; 4: the computation, or writing its result, failed; 130: interrupted, all "
@@ -92,15 +91,8 @@ int main(int argc, char** argv) {
   app.add_option("SCENE", file, "the scene file (JSON)")->required();
   app.add_option("-o,--output", folder, "the folder to write to, made if missing")->required();
   app.add_flag("--resume", resume, "go on with an interrupted run in that folder");
-  const auto read_threads = [&threads](const std::string& value) {
-    const auto number = console::parse_number(value);
-    if (!number || *number < 1 || *number > 256 || *number != std::floor(*number))
-      throw CLI::ValidationError(fmt::format("--threads = {}: must be a whole number from 1 to 256", value));
-    threads = static_cast<int>(*number);
-  };
-  app.add_option_function<std::string>(
-         "--threads", read_threads, "that share the work where no friction is rigid; results are the same to the bit")
-      ->type_name("INT");
+  console::add_count(app, "--threads", threads, 256,
+                     "that share the work where no friction is rigid; results are the same to the bit");
   app.add_option("--format", format,
                  "xyz, or vtk: a file a frame for ParaView as well, in DIR/vtk; a resumed run keeps its own")
       ->check(CLI::IsMember({"xyz", "vtk"}))
@@ -109,7 +101,7 @@ int main(int argc, char** argv) {
                  "also write a page that plays the run, for a browser; with --resume, of a finished run nothing else");
   return console::run_program(app, argc, argv, [&] {
     simulate::Scene scene = simulate::read_scene(file, console::read_input(file));
-    scene.options.threads = threads;
+    scene.options.threads = static_cast<int>(threads.value_or(1));
     View view(file, folder, page);
     const Asked asked{folder, resume, format == "vtk" ? simulate::Format::vtk : simulate::Format::xyz};
     const int signal = run_and_show(scene, asked, view);

@@ -1,13 +1,11 @@
 #include "job.hpp"
 
-#include <console/number.hpp>
 #include <console/quantity.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace ricochet::calibration {
@@ -102,17 +100,6 @@ void add_load(CLI::App& app, Options& o) {
       ->type_name("NUMBER");
 }
 
-void add_threads(CLI::App& app, Options& o) {
-  const auto read = [&o](const std::string& value) {
-    const auto number = console::parse_number(value);
-    if (!number || *number < 1 || *number > 1024 || *number != std::floor(*number))
-      throw CLI::ValidationError(fmt::format("--threads = {}: must be a whole number from 1 to 1024", value));
-    o.threads = static_cast<unsigned>(*number);
-  };
-  app.add_option_function<std::string>("--threads", read, "threads of --targets (default: all cores)")
-      ->type_name("NUMBER");
-}
-
 /// The headings of --help, in its order.
 void group_options(CLI::App& app) {
   const auto of_topic = [&](Topic topic, const char* heading) {
@@ -142,7 +129,7 @@ void add_files(CLI::App& app, Options& o) {
                  "calibrate every row of a CSV file instead: columns named as the flags above, tcol, en, max_overlap, "
                  "…, and law, end; directly, on all cores; - is standard input")
       ->type_name("FILE");
-  add_threads(app, o);
+  console::add_count(app, "--threads", o.threads, 1024, "threads of --targets (default: all cores)");
   app.add_option(
          "--fit", o.fit,
          "fit the laws to a CSV file of measurements instead: columns velocity or drop_height, en or "

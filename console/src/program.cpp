@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -138,6 +139,17 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, 
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                         const std::string& description) {
   return add_any_number(app, name, target, description);
+}
+
+CLI::Option* add_count(CLI::App& app, const std::string& name, std::optional<unsigned>& target, unsigned greatest,
+                       const std::string& description) {
+  const auto read = [&target, name, greatest](const std::string& text) {
+    const auto value = parse_number(text);
+    if (!value || *value < 1 || *value > greatest || *value != std::floor(*value))
+      throw CLI::ValidationError(fmt::format("{} = {}: must be a whole number from 1 to {}", name, text, greatest));
+    target = static_cast<unsigned>(*value);
+  };
+  return app.add_option_function<std::string>(name, read, description)->type_name("INT");
 }
 
 std::string run_as(const std::string& program) {

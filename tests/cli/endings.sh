@@ -4,6 +4,7 @@
 # command, spread over its run; more find rarer moments. Exit code 77 where all was well but some endings could not be
 # brought about: protected folders and small disks take root's rights.
 set -euo pipefail
+source "$(dirname "$0")/same_files.sh"
 bin=$(realpath "$1") source=$(realpath "$2") instants=${INSTANTS:-9}
 folder=$(mktemp -d)
 chmod 755 "$folder"
@@ -40,17 +41,8 @@ commands=(
   'simulate source/data/scenes/five_spheres_weak.json -o finished --resume --view out/run.html'
 )
 
-# as_before / as_new: out/ is byte for byte the folder of that name; but for the time that Cairo packs into a PDF from
-# version 1.18 on.
-is() { different "$1" >/dev/null 2>&1; }
-different() {
-  local file
-  diff -rq -x '*.pdf' "$1" out || return
-  diff <(cd "$1" && find . -name '*.pdf' | sort) <(cd out && find . -name '*.pdf' | sort) || return
-  while read -r file; do
-    cmp -s "$1/$file" "out/$file" || grep -q /ObjStm "out/$file" || { echo "$file differs" && return 1; }
-  done < <(cd out && find . -name '*.pdf')
-}
+# is before / is new: out/ is byte for byte the folder of that name.
+is() { same_files "$1" out >/dev/null 2>&1; }
 
 # Runs "$2…" with out/ as it was before; the exit code in $code, stderr in err.
 run() {
@@ -73,7 +65,7 @@ must_fail() {
   [[ $code == "$want" ]] || fail "$what: exit code $code, not $want: $(cat err)"
   [[ $(wc -l <err) == 1 ]] || fail "$what: not one line: $(cat err)"
   grep -qE "$pattern" err || fail "$what: stderr is: $(cat err)"
-  is before || fail "$what: changed: $(different before)"
+  is before || fail "$what: changed: $(same_files before out)"
   no_litter "$what"
 }
 
@@ -131,9 +123,9 @@ each_signal() { # command, checker
 all_or_nothing() {
   if [[ $code == "$expected" ]]; then
     # A signal between the last rename and the end of the program finds all done.
-    is before || is new || fail "$1: half done: $(different before)"
+    is before || is new || fail "$1: half done: $(same_files before out)"
   elif [[ $code == 0 ]]; then
-    is new || fail "$1: exit code 0, but not written: $(different new)"
+    is new || fail "$1: exit code 0, but not written: $(same_files new out)"
   else
     fail "$1: exit code $code: $(cat err)"
   fi
@@ -257,7 +249,7 @@ for command in "${commands[@]}"; do
   # stderr closed: nothing lands in the files instead.
   run bash -c "$command 2>&- >&-"
   [[ $code == 0 ]] || { fail "$command 2>&-: exit code $code"; continue; }
-  is new || fail "$command 2>&-: $(different new)"
+  is new || fail "$command 2>&-: $(same_files new out)"
 done
 
 # Complaints of bad rows would be the first to go astray.

@@ -49,14 +49,17 @@ Ran run(std::vector<const char*> arguments, const std::function<Exit()>& body = 
     OutputOptions output;
     double en = 0.5;
     std::optional<double> mass_eff;
+    std::optional<unsigned> threads;
     add_version(app);
     add_output_options(app, output);
     add_number(app, "--en", en, "restitution [-]");
     add_number(app, "--mass-eff", mass_eff, "effective mass [kg]");
+    add_count(app, "--threads", threads, 256, "that share the work");
     arguments.insert(arguments.begin(), "try");
     const auto shown = [&] {
       ricochet::support::require(en > 0 && en <= 1, "en", en, "in (0, 1]");
       if (mass_eff) ricochet::support::require_positive("mass_eff", *mass_eff);
+      if (threads) en /= *threads;
       Output answer(output.file);
       answer.write("en " + std::to_string(en) + " " + std::to_string(static_cast<int>(output.format)) + "\n");
       answer.commit();
@@ -76,6 +79,11 @@ TEST_CASE("a program that succeeds is silent on stderr") {
   CHECK(ran.code == 0);
   CHECK(ran.out == "en 0.250000 2\n");
   CHECK(ran.err.empty());
+}
+
+TEST_CASE("an option of a whole number takes the least and the greatest") {
+  CHECK(run({"--en", "1", "--threads", "1"}).out == "en 1.000000 0\n");
+  CHECK(run({"--en", "1", "--threads", "256"}).out == "en 0.003906 0\n");
 }
 
 TEST_CASE("a dash for -o is stdout") { CHECK(run({"--en", "0.25", "-o", "-"}).out == "en 0.250000 0\n"); }
@@ -98,6 +106,10 @@ TEST_CASE("every wrong command line is one line and exit code 2") {
       {{"--none", "1"}, "try: --none: not known: must be an option that `try --help` lists\n"},
       {{"extra"}, "try: extra: not known: must be an option that `try --help` lists\n"},
       {{"--mass-eff", "-1"}, "try: --mass-eff = -1: must be finite and > 0\n"},
+      {{"--threads", "0"}, "try: --threads = 0: must be a whole number from 1 to 256\n"},
+      {{"--threads", "257"}, "try: --threads = 257: must be a whole number from 1 to 256\n"},
+      {{"--threads", "1.5"}, "try: --threads = 1.5: must be a whole number from 1 to 256\n"},
+      {{"--threads", "two"}, "try: --threads = two: must be a whole number from 1 to 256\n"},
       {{"--format", "xml"}, "try: --format = xml: must be table, json, csv or markdown\n"},
       {{"-o", ""}, "try: --output = '': must not be empty\n"},
       {{"--en", "1\x1b[31m"}, "try: --en = 1\\x1b[31m: must be a finite number\n"},
