@@ -123,6 +123,27 @@ TEST_CASE("dashpots that a step does not resolve are met by sweeps") {
   CHECK(fastest(cluster) < 1);
 }
 
+TEST_CASE("a contact's dashpots count by the greater of what they brake along the normal and across it") {
+  // Shares of its speed, and of its turning too, that a grain on the floor loses in half a step.
+  const auto sweeps = [](double along, double across) {
+    const double m = grain_mass(), k = m * std::pow(std::acos(-1.0) / tcol, 2), arm = 1 / 0.4;
+    ClusterSetup setup;
+    setup.interactions.insert({{0, 0},
+                               {.law = Linear(k, 2 * along * m / step),
+                                .friction = Friction(0.5, 0.5, 0),
+                                .tangential = LinearTangential(k, 2 * across * m / step / (1 + arm))}});
+    setup.spheres.push_back({radius, density, {0, 0, radius}, {0.01, 0, -0.1}});
+    setup.walls = box_walls({-1, -1, 0}, {1, 1, 1});
+    Cluster cluster(setup, {.step = step});
+    for (int n = 0; n < 3; ++n) cluster.step();
+    REQUIRE(cluster.contacts().size() == 1);
+    return cluster.last_sweeps();
+  };
+  CHECK(sweeps(0.24, 0.24) == 1);
+  CHECK(sweeps(0.26, 0) > 1);
+  CHECK(sweeps(0, 0.26) > 1);
+}
+
 TEST_CASE("threads change no bit of a packing") {
   ClusterSetup setup = thrown(6, 5, held_grains());
   setup.gravity = {0, 0, -98.1};  // so that they lie soon

@@ -55,7 +55,8 @@ void Cluster::Workspace::group(std::uint32_t count) noexcept {
 // Each contact foresees what the others pass. With u the rates of all contacts, W their common mobility and D its
 // diagonal, that is one Jacobi step u' = −W P, (1 + γD) P = h R(u − ½(W − D) P_last) with γ = ½h c; a mode with
 // W = κD is stable as long as γD(κ − 1) < ½. The greatest eigenvalue of γW is at most that of the greatest sum, over
-// both bodies of a contact, of their contacts' γ/m, so a quarter a body suffices.
+// both bodies of a contact, of their contacts' γ/m, so a quarter a body suffices. What a contact brakes along its normal
+// is orthogonal to what it brakes across and turning: the greater of the two is its share.
 void Cluster::add_drag(const ContactState& c, std::int64_t sign) noexcept {
   constexpr double enough = 0.25, unit = 0x1p-32, most = 1e4;
   constexpr auto limit = static_cast<std::int64_t>(enough / unit);
@@ -63,8 +64,9 @@ void Cluster::add_drag(const ContactState& c, std::int64_t sign) noexcept {
   const std::uint32_t i = c.record.i, j = c.record.j;
   const double along = model.drag ? *model.drag : model.normal->drag(c, inverse_mass_[i] + inverse_mass_[j]);
   const auto add = [&](std::uint32_t body, double arm) {
-    const double drag = inverse_mass_[body] * (std::abs(along) + model.damping) +
-                        inverse_inertia_[body] * (arm * arm * model.damping + model.turning_damping);
+    const double across = inverse_mass_[body] * model.damping +
+                          inverse_inertia_[body] * (arm * arm * model.damping + model.turning_damping);
+    const double drag = std::max(inverse_mass_[body] * std::abs(along), across);
     std::int64_t& sum = drags_[body];
     braked_ -= sum > limit ? 1 : 0;
     sum += sign * static_cast<std::int64_t>(std::ceil(std::min(most, 0.5 * options_.step * drag) / unit));
