@@ -1,8 +1,10 @@
 #include <console/gnuplot.hpp>
 #include <console/number.hpp>
+#include <console/table.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace ricochet::console {
@@ -14,6 +16,16 @@ std::string quoted(const std::string& text) {
   std::string inside;
   for (const char c : text) inside += c == '\'' ? "''" : std::string(1, c);
   return fmt::format("'{}'", inside);
+}
+
+/// Letters of a key in a picture of this width: smaller ones where its longest title and what gnuplot puts beside it
+/// would be wider.
+std::string font_of_key(const std::vector<Curve>& curves, double width, double letters) {
+  constexpr double letter = 0.6, beside = 14;  // of a letter's size; letters
+  std::size_t longest = 0;
+  for (const Curve& curve : curves) longest = std::max(longest, display_width(curve.title));
+  const double fitting = width / (letter * (static_cast<double>(longest) + beside));
+  return fitting < letters ? fmt::format(" font ',{}'", fixed(fitting, 1)) : "";
 }
 
 std::string tics_of(const Axis& axis) {
@@ -118,6 +130,14 @@ Rows SeriesFile::rows(std::size_t series) const {
 Plot with_key_below(Panel panel, int rows, double below) {
   panel.key = fmt::format("at screen 0.5,0.01 center bottom maxrows {}", rows);
   return {.panels = {std::move(panel)}, .layout = Layout{.left = 0.1, .right = 0.97, .bottom = below, .top = 0.96}};
+}
+
+Plot with_keys_within(Plot plot, double width, double letters) {
+  for (Panel& panel : plot.panels)
+    if (!panel.key.empty()) panel.key += font_of_key(panel.curves, width, letters);
+  if (!plot.key_panel.empty())
+    plot.key_panel += font_of_key(plot.key.empty() ? plot.panels.front().curves : plot.key, width, letters);
+  return plot;
 }
 
 std::string script_of(const Plot& plot) {

@@ -62,8 +62,8 @@ bool complains(const std::string& words) {
 }
 
 std::string picture(const Figure& figure, const std::string& terminal, const std::string& folder) {
-  const Ran ran =
-      gnuplot(fmt::format("set terminal {}\n{}{}\n", terminal, house_style, script_of(figure.plot)), folder);
+  const Plot plot = with_keys_within(figure.plot, figure.width, letters * figure.text);
+  const Ran ran = gnuplot(fmt::format("set terminal {}\n{}{}\n", terminal, house_style, script_of(plot)), folder);
   if (ran.status != 0 || complains(ran.err) || ran.out.empty())
     throw Failed(fmt::format("gnuplot, figure {}: {}", figure.name, why(ran)));
   return ran.out;
@@ -73,7 +73,7 @@ std::string picture(const Figure& figure, const std::string& terminal, const std
 constexpr double screen_dpi = 96, print_dpi = 300;
 
 std::string svg_terminal(const Figure& figure) {
-  return fmt::format("svg dynamic font 'sans-serif,{}' background rgb 'white' size {},{}", 14 * figure.text,
+  return fmt::format("svg dynamic font 'sans-serif,{}' background rgb 'white' size {},{}", letters * figure.text,
                      figure.width, figure.height);
 }
 

@@ -1,5 +1,6 @@
 // Every figure in a folder, or in a page with those for phones, as Chromium draws it: no text leaves the picture, lies
-// on another text or on a mark, or has a line of any kind but the grid running through it.
+// on another text or on a mark, or has a line of any kind but the grid running through it; and every titled curve has
+// its title in a key.
 //
 //     node check_figures.mjs FOLDER|PAGE.html MODULES
 
@@ -65,6 +66,11 @@ function complaints() {
     if (mark.closest('defs')) continue;
     const over = texts.find(({inner}) => meet(inner, mark.getBoundingClientRect()));
     if (over) found.push(`a mark lies on "${over.words}"`);
+  }
+  // gnuplot draws a curve's key in the curve's group, which it names by the title; a key without room it leaves out.
+  for (const curve of svg.querySelectorAll('g[id^="gnuplot_plot_"]')) {
+    const title = curve.querySelector('title')?.textContent ?? '';
+    if (!title.startsWith('gnuplot_plot_') && !curve.querySelector('text')) found.push(`no key has "${title}"`);
   }
   return {texts: texts.length, found};
 }

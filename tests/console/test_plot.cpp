@@ -305,6 +305,27 @@ TEST_CASE("on a phone a key stands under its panel, wherever it stood") {
   CHECK(gap(0) > gap(2));
 }
 
+TEST_CASE("a key whose title would be wider than the picture has smaller letters, and is drawn") {
+  const std::string words = "LAMMPS 29 Sep 2021 Update 2, 4 Feb 2025 with lammps-ricochet";
+  const Panel panel{
+      .curves = {{.what = "x", .style = "lines", .title = words}, {.what = "1", .style = "lines", .title = "short"}}};
+  const Figure figure{.name = "long", .caption = "", .plot = with_key_below(panel, 2, 0.3), .width = 420};
+  // 60 characters of 0.6 of the letters' size, and 14 more beside them, are 420 pixels.
+  const auto key_at = [&](double width) { return with_keys_within(figure.plot, width, letters).panels[0].key; };
+  CHECK(key_at(420) == figure.plot.panels[0].key + " font ',9.5'");
+  CHECK(key_at(900) == figure.plot.panels[0].key);
+  CHECK(with_keys_within({.panels = {panel}, .key_panel = "center"}, 420, letters).key_panel == "center font ',9.5'");
+  CHECK(with_keys_within({.panels = {{}}, .key_panel = "center", .key = panel.curves}, 420, 2 * letters).key_panel ==
+        "center font ',9.5'");
+  // gnuplot names a curve's group by the title, in which the key's letters are.
+  const Pictures drawn = pictures_of(figure);
+  for (const std::string& picture : {drawn.wide, drawn.narrow}) {
+    const auto curve = picture.find("gnuplot_plot_1"), named = picture.find(words, curve);
+    REQUIRE(named != std::string::npos);
+    CHECK(picture.find(words, named + 1) < picture.find("gnuplot_plot_2"));
+  }
+}
+
 TEST_CASE("lines keep the corners that show, each within a tenth of a pixel, and groups that hold something") {
   // A parabola whose chords of n pixels sag by n^2/8000: those of 28 may stay, no steeper than 0.4.
   std::string path = "M0.00,0.00";

@@ -20,6 +20,8 @@ inline constexpr const char* sky = "#56b4e9";
 inline constexpr const char* gray = "#767676";
 }  // namespace palette
 
+inline constexpr double letters = 14;  ///< of a Figure, pixels
+
 /// A plot that is shown: on a screen, in print, in a page. Line types 1 to 7 are the palette (blue, vermilion, green,
 /// orange, purple, sky, gray); axes stand at the left and below, on a faint grid.
 struct Figure {
@@ -30,7 +32,7 @@ struct Figure {
   int width = 720;  ///< pixels
   int height = 450;
   std::string finding = {};  ///< what one sees in it, for those who cannot: sentences made from the numbers of this run
-  double text = 1;           ///< size of its letters, to that of the others
+  double text = 1;           ///< size of its letters, to `letters`
 };
 
 /// A figure as SVG that follows the reader's choice of light or dark.
