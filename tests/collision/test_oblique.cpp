@@ -358,12 +358,13 @@ namespace {
 /// A rigid disc that slides and spins under R = kζ, ζ = (v/w) sin wt, by steps of `friction_impulse`, of order 2.
 struct StepwiseDisc {
   Vec3 slip;
-  double spin = 0;
+  double spin = 0, spins = 0;  // how long [s], to a step
 };
 StepwiseDisc disc_by_steps(const ObliqueImpact& impact, double k, int steps) {
   const ImpactBody& b = impact.i;
   const double w = std::sqrt(k / b.mass), h = std::numbers::pi / w / steps, v = b.velocity.z;
   const double turns = 1 / inertia(b);
+  double spins = 0;
   FrictionProblem p;
   p.mobility = {3.5 / b.mass, radius * turns, turns};
   SlipMotion motion{{b.velocity.x + radius * b.spin.y, b.velocity.y - radius * b.spin.x, 0}, b.spin.z, {}};
@@ -375,8 +376,9 @@ StepwiseDisc disc_by_steps(const ObliqueImpact& impact, double k, int steps) {
     const FrictionSolution s = friction_impulse(measured, p, {});
     motion.slip += p.mobility.slip * s.impulse.sliding;
     motion.spin += turns * s.impulse.torsion;
+    if (std::abs(motion.spin) > 1e-9 * std::abs(b.spin.z)) spins = h * (n + 1);
   }
-  return {motion.slip, motion.spin};
+  return {motion.slip, motion.spin, spins};
 }
 
 }  // namespace
@@ -395,6 +397,23 @@ TEST_CASE("a rigid disc that slides and spins is what steps of its friction tend
       CHECK(slip.y == Approx(fine.slip.y + (fine.slip.y - coarse.slip.y) / 3).margin(1e-6));
       CHECK(out.spin_i.z == Approx(fine.spin + (fine.spin - coarse.spin) / 3).epsilon(1e-7));
       CHECK(out.lost.torsion > 0);
+    }
+}
+
+TEST_CASE("a rigid disc slips, ever less, as long as it spins, and sticks from then on") {
+  TangentialContact contact{RigidTangential{}, measured};
+  contact.torsion.limit = Torsion::Limit::disc;
+  constexpr int steps = 8000;
+  for (const double degrees : {0.5, 4.0})
+    for (const double spin : {3.0, 30.0, 300.0}) {
+      const ObliqueImpact impact = at_angle(degrees, {0, 0, spin});
+      const auto out = collide(Linear(1.72e7, 0), contact, impact);
+      const StepwiseDisc stepped = disc_by_steps(impact, 1.72e7, steps);
+      const bool stops = spin < 300;
+      CAPTURE(degrees, spin);
+      CHECK(out.switches == (stops ? 1 : 0));
+      CHECK((out.stick_time > 0) == stops);
+      CHECK(out.slip_time == Approx(stepped.spins).margin(1.5 * out.normal.tcol / steps));
     }
 }
 

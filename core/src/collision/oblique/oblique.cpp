@@ -153,7 +153,7 @@ class Follower {
     if (m == sliding) ++switches_;
     if (!sticks) motion_.settle(m, y_);
     sticks = !sticks;
-    if (m == torsion && sticks && motion_.slip_dies_with_spin()) motion_.phase.sticks[sliding] = true;
+    if (m == torsion && sticks && motion_.slip_dies_with_spin() && !motion_.phase.sticks[sliding]) change(sliding);
   }
 
   TangentMotion& motion_;
