@@ -1,4 +1,5 @@
 // The bounds of `verify engines`, which has no run without engines: made-up outcomes just inside and just outside.
+#include "../../verify/studies/engines/engine_run.hpp"
 #include "../../verify/studies/engines/oblique.hpp"
 #include "../../verify/studies/engines/outcome.hpp"
 
@@ -68,6 +69,19 @@ Names failing(const std::vector<ObliqueOutcome>& outcomes) {
 }
 
 }  // namespace
+
+TEST_CASE("verify engines: unequal grains meet as one of their effective mass and radius") {
+  const Encounter wall{.a = {.radius = 2e-3, .density = 3000}};
+  CHECK(wall.reach() == 2e-3);
+  CHECK(wall.mass_eff() == Approx(3000 * 4 * std::acos(-1.0) / 3 * 8e-9).epsilon(1e-15));
+  CHECK(wall.radius_eff() == 2e-3);
+  // Of one density, 27 to 8 in mass: 27·8/35.
+  Encounter pair = wall;
+  pair.b = {.radius = 3e-3, .density = 3000};
+  CHECK(pair.reach() == Approx(5e-3).epsilon(1e-15));
+  CHECK(pair.mass_eff() == Approx(27 * wall.mass_eff() / 35).epsilon(1e-14));
+  CHECK(pair.radius_eff() == Approx(1.2e-3).epsilon(1e-14));
+}
 
 TEST_CASE("verify engines: restitution and time in the limit are held to a thousandth") {
   CHECK(failing(outcome(first_order)).empty());
