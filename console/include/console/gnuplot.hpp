@@ -115,9 +115,9 @@ struct Plot {
 /// of the picture's height that both take.
 Plot with_key_below(Panel panel, int rows, double below);
 
-/// The plot with its keys in smaller letters where a title would be too wide for a picture of this width with letters of
-/// this size, both in pixels: gnuplot takes a letter for 0.6 of its size, and leaves out a key that it takes to be wider
-/// than the picture.
+/// The plot with its keys in smaller letters where a title would be too wide for a picture of this width with letters
+/// of this size, both in pixels: gnuplot takes a letter for 0.6 of its size, and leaves out a key that it takes to be
+/// wider than the picture.
 Plot with_keys_within(Plot plot, double width, double letters);
 
 /// The script of a Figure. Every panel says all that is said about it, nothing stays from the one before.

@@ -32,8 +32,8 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, 
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                         const std::string& description);
 
-/// Adds an option that takes a whole number from 1 to `greatest`; anything else is "--threads = 0: must be a whole number
-/// from 1 to 256".
+/// Adds an option that takes a whole number from 1 to `greatest`; anything else is "--threads = 0: must be a whole
+/// number from 1 to 256".
 CLI::Option* add_count(CLI::App& app, const std::string& name, std::optional<unsigned>& target, unsigned greatest,
                        const std::string& description);
 

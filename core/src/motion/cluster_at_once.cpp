@@ -55,8 +55,8 @@ void Cluster::Workspace::group(std::uint32_t count) noexcept {
 // Each contact foresees what the others pass. With u the rates of all contacts, W their common mobility and D its
 // diagonal, that is one Jacobi step u' = −W P, (1 + γD) P = h R(u − ½(W − D) P_last) with γ = ½h c; a mode with
 // W = κD is stable as long as γD(κ − 1) < ½. The greatest eigenvalue of γW is at most that of the greatest sum, over
-// both bodies of a contact, of their contacts' γ/m, so a quarter a body suffices. What a contact brakes along its normal
-// is orthogonal to what it brakes across and turning: the greater of the two is its share.
+// both bodies of a contact, of their contacts' γ/m, so a quarter a body suffices. What a contact brakes along its
+// normal is orthogonal to what it brakes across and turning: the greater of the two is its share.
 void Cluster::add_drag(const ContactState& c, std::int64_t sign) noexcept {
   constexpr double enough = 0.25, unit = 0x1p-32, most = 1e4;
   constexpr auto limit = static_cast<std::int64_t>(enough / unit);
