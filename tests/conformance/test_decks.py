@@ -397,9 +397,9 @@ def of_yade(of, n, folder, monkeypatch, at_wall=1.0):
             mass, radius = effective(bodies, i, -1)
             contacts[i, -1 - w] = of_materials(one.material, stone, ip2, at_wall * mass, radius)
     if not of.tangential:  # any spring will do
-        assert all(numbers.pop("mu") == 0 for numbers in contacts.values())
-        contacts = {pair: {key: x for key, x in numbers.items() if key not in ("k_t", "c_t")}
-                    for pair, numbers in contacts.items()}
+        assert all(of_pair.pop("mu") == 0 for of_pair in contacts.values())
+        contacts = {pair: {key: x for key, x in of_pair.items() if key not in ("k_t", "c_t")}
+                    for pair, of_pair in contacts.items()}
     with open(f"7.{n}", encoding="ascii") as file:
         states = [numbers(line.split()) for line in file]
     assert states[0][:3] == list(bodies[0]["position"]) and len(states[0]) == 9 * len(bodies) + 3
