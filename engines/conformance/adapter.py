@@ -48,28 +48,28 @@ class Stops:
 
     def __init__(self):
         self.numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
-        self.came, self.held = None, False
+        self.came, self.held, self.deaf = None, False, False
 
     def begin(self) -> None:
-        self.before = {number: signal.getsignal(number) for number in self.numbers}
-        for number, handler in self.before.items():
-            if handler is not signal.SIG_IGN:  # as nohup asks
+        self.came, self.deaf = None, False
+        for number in self.numbers:
+            if signal.getsignal(number) is not signal.SIG_IGN:  # as nohup asks
                 signal.signal(number, self.take)
 
     def take(self, number: int, _) -> None:
-        self.ignore()
+        if self.deaf:
+            return
         self.came = number
+        self.end()
         if not self.held:
             raise Stopped(number)
 
-    def ignore(self) -> None:
-        for number in self.numbers:
-            signal.signal(number, signal.SIG_IGN)
-
     def end(self) -> None:
-        self.came = None
-        for number, handler in self.before.items():
-            signal.signal(number, handler)
+        """Deaf from here to the program's end, which a second signal would give another exit code. Blocked, as Python
+        complains of one that came just before it was to be ignored."""
+        self.deaf = True
+        if hasattr(signal, "pthread_sigmask"):
+            signal.pthread_sigmask(signal.SIG_BLOCK, self.numbers)
 
     @contextlib.contextmanager
     def hold(self):
@@ -88,7 +88,8 @@ stops = Stops()
 
 @contextlib.contextmanager
 def scratch():
-    """All that is temporary, the engines' own too, is in one folder, and nothing of it stays, however this ends."""
+    """All that is temporary, the engines' own too, is in one folder, and nothing of it stays, however this ends. The
+    program's last act: no signal is taken after it."""
     folder = os.path.join(tempfile.gettempdir(), f"conformance-{secrets.token_hex(8)}")
     before, tempfile.tempdir = tempfile.tempdir, folder
     stops.begin()
@@ -97,11 +98,10 @@ def scratch():
             os.mkdir(folder, 0o700)
             yield
         finally:
-            stops.ignore()
+            stops.end()
     finally:  # also after a signal on the way to the line before
         tempfile.tempdir = before
         shutil.rmtree(folder, ignore_errors=True)
-        stops.end()
 
 
 # --- The engine ------------------------------------------------------------------------------------------------------
