@@ -11,6 +11,7 @@ namespace ricochet::console {
 namespace {
 
 constexpr std::size_t wide_cell = 36;  ///< characters from which on a column may wrap
+constexpr const char* wide_class = " class=\"wide\"";
 
 /// The SVG as an address of its own. Only what would end the attribute or the address is encoded, and space, which ends
 /// one of several addresses: it stays readable.
@@ -50,7 +51,18 @@ bool is_wide(const Table& table, std::size_t column) {
 /// The class of a column's cells, as an attribute.
 std::string cell_class(const Table& table, std::size_t column) {
   if (table.right_aligned(column)) return " class=\"n\"";
-  return is_wide(table, column) ? " class=\"wide\"" : "";
+  return is_wide(table, column) ? wide_class : "";
+}
+
+/// Cells of prose make a table too wide for a phone, where its cells stand below each other and need their names.
+bool stacks(const std::vector<std::string>& classes) {
+  return std::any_of(classes.begin(), classes.end(), [](const auto& each) { return each == wide_class; });
+}
+
+/// The column's name before a cell, in sight where cells stand below each other.
+std::string own_name(const Column& column) {
+  const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", html_text(column.unit));
+  return fmt::format(R"(<span class="own">{}{}: </span>)", html_text(column.name), unit);
 }
 
 std::string head(const Table& table, const std::vector<std::string>& classes) {
@@ -67,13 +79,15 @@ std::string head(const Table& table, const std::vector<std::string>& classes) {
 std::string one_row(const Table& table, std::size_t row, const std::vector<std::string>& classes,
                     const TableView& view) {
   std::string html = "<tr>";
+  const bool named = stacks(classes);
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const bool raw = row < view.raw.size() && i < view.raw[row].size();
     const std::string plain = shown(table.rows()[row][i], table.columns()[i].notation);
     // A number can be copied as it stands.
     const std::string cell = raw ? view.raw[row][i] : table.right_aligned(i) ? escaped(plain) : html_text(plain);
     html += i == 0 && !cell.empty() ? fmt::format(R"(<th scope="row"{}>{}</th>)", classes[i], cell)
-                                    : fmt::format("<td{}>{}</td>", classes[i], cell);
+                                    : fmt::format("<td{}>{}{}</td>", classes[i],
+                                                  named && !cell.empty() ? own_name(table.columns()[i]) : "", cell);
   }
   return html + "</tr>\n";
 }
@@ -81,14 +95,15 @@ std::string one_row(const Table& table, std::size_t row, const std::vector<std::
 std::string rows_of(const Table& table, const TableView& view, std::size_t first, std::size_t last,
                     const std::vector<std::string>& classes) {
   const bool part = first > 0;
-  std::string html =
-      fmt::format(R"(<div class="scroll" tabindex="0" role="group" aria-labelledby="{id}">
-<table><caption id="{id}">{caption}{rows}</caption>
+  std::string html = fmt::format(R"(<div class="scroll" tabindex="0" role="group" aria-labelledby="{id}">
+<table{stacks}><caption id="{id}">{caption}{rows}</caption>
 {head}<tbody>
 )",
-                  fmt::arg("id", view.id + (part ? "-more" : "")), fmt::arg("caption", html_text(table.caption())),
-                  fmt::arg("rows", part ? fmt::format(", rows {} to {}", first + 1, last) : ""),
-                  fmt::arg("head", head(table, classes)));
+                                 fmt::arg("id", view.id + (part ? "-more" : "")),
+                                 fmt::arg("stacks", stacks(classes) ? " class=\"stacks\"" : ""),
+                                 fmt::arg("caption", html_text(table.caption())),
+                                 fmt::arg("rows", part ? fmt::format(", rows {} to {}", first + 1, last) : ""),
+                                 fmt::arg("head", head(table, classes)));
   for (std::size_t r = first; r < last; ++r) html += one_row(table, r, classes, view);
   return html + "</tbody></table></div>\n";
 }

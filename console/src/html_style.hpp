@@ -81,7 +81,16 @@ button{font:inherit;font-size:.88rem;padding:.25rem .9rem;color:var(--ink);backg
   border:1px solid var(--soft);
 border-radius:.3rem;cursor:pointer;white-space:nowrap;min-width:5.2rem}
 td button{margin-left:.4rem;padding:0 .3rem;min-width:3.9rem}
-@media (max-width:40rem){figure img{max-width:30rem;margin:0 auto}}
+.own{display:none}
+@media (max-width:40rem){figure img{max-width:30rem;margin:0 auto}
+.stacks,.stacks caption,.stacks tbody,.stacks tr,.stacks td,.stacks tbody th{display:block}
+.stacks thead{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
+.stacks tr{border-top:1px solid var(--line);padding:.45rem 0}
+.stacks td,.stacks tbody th{border:0;padding:.05rem .8rem;min-width:0;max-width:none;text-align:left;white-space:normal;
+  overflow-wrap:anywhere}
+.stacks td.n{display:inline-block}
+.stacks td:empty{display:none}
+.own{display:inline;color:var(--soft)}}
 @media (max-width:30rem){.facts{grid-template-columns:1fr}.facts dt{margin-top:.4rem}}
 @media print{:root{color-scheme:light;--ground:#fff;--sheet:#fff;--ink:#000;--soft:#444;--line:#bbb;--link:#000;
   --pass:#000;--fail:#000;--mark:#eee}

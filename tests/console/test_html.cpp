@@ -52,6 +52,21 @@ TEST_CASE("a table in a page has a caption, headers with units, and hides what i
   CHECK(count(html, "scope=\"row\"") == 30);
 }
 
+TEST_CASE("cells of a table with prose have their column's name for a phone, where they stand below each other") {
+  const auto page_of = [](const std::string& words) {
+    Table table({{"study"}, {"tcol", "s"}, {"found"}, {"remark"}}, "Studies");
+    table.row({std::string("one"), 1.5, words, std::string()});
+    return html_table(table, {.id = "t"});
+  };
+  const std::string prose = page_of("thirty-seven characters are much here");
+  CHECK(prose.find("<table class=\"stacks\">") != std::string::npos);
+  CHECK(prose.find("<th scope=\"row\">one</th>"
+                   "<td class=\"n\"><span class=\"own\"><i>t</i><sub>col</sub> [s]: </span>1.5</td>"
+                   "<td class=\"wide\"><span class=\"own\">found: </span>thirty") != std::string::npos);
+  CHECK(prose.find("<td></td></tr>") != std::string::npos);  // of an empty cell nothing is to be seen
+  CHECK(page_of("six and thirty: these fit on a line.").find("own") == std::string::npos);
+}
+
 TEST_CASE("a figure in a page carries its picture and says its finding") {
   const Figure figure{.name = "line",
                       .caption = "A line.",
