@@ -19,12 +19,21 @@ namespace {
 
 using namespace ricochet;
 
+/// "1 wall", "3 walls"
+std::string counted(std::size_t number, const char* noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
 void announce(const simulate::Scene& scene) {
   const double tcol = scene.stiffest.tcol;
-  const std::string shortest =
-      tcol > 0 ? fmt::format(", the shortest collision takes about {} s", console::significant(tcol, 3)) : "";
-  console::complain("simulate", fmt::format("{} spheres, {} walls, {} steps of {} s{}", scene.sphere_count(),
-                                            scene.setup.walls.size(), scene.steps,
+  const std::string shortest = tcol > 0
+                                   ? fmt::format(", the {} about {} s",
+                                                 scene.stiffest.tangential ? "fastest tangential spring swings back in"
+                                                                           : "shortest collision takes",
+                                                 console::significant(tcol, 3))
+                                   : "";
+  console::complain("simulate", fmt::format("{}, {}, {} steps of {} s{}", counted(scene.sphere_count(), "sphere"),
+                                            counted(scene.setup.walls.size(), "wall"), scene.steps,
                                             console::significant(scene.options.step, 4), shortest));
   if (!scene.remark.empty()) console::complain("simulate", scene.remark);
 }
@@ -35,16 +44,21 @@ class View {
   View(const std::string& scene_file, const std::string& folder, const std::string& path) {
     if (path.empty()) return;
     std::vector<console::NamedFile> outputs;
-    outputs.reserve(std::size(simulate::run_files) + 1);
+    outputs.reserve(std::size(simulate::run_files) + 2);
     for (const char* const name : simulate::run_files) outputs.push_back({"-o", fmt::format("{}/{}", folder, name)});
+    outputs.push_back({"-o", folder});
     outputs.push_back({"--view", path});
     console::require_apart({{{"SCENE", scene_file}}}, outputs);
     file_.emplace(path);
   }
   void write(const simulate::Scene& scene, const std::string& folder) {
     if (!file_) return;
-    file_->write(simulate::view_page(scene, folder));
-    file_->commit();
+    try {
+      file_->write(simulate::view_page(scene, folder));
+      file_->commit();
+    } catch (const simulate::NothingToShow& nothing) {
+      console::complain("simulate", fmt::format("--view: no page: {}", nothing.what()));
+    }
   }
 
  private:
@@ -100,6 +114,7 @@ int main(int argc, char** argv) {
   app.add_option("--view", page,
                  "also write a page that plays the run, for a browser; with --resume, of a finished run nothing else");
   return console::run_program(app, argc, argv, [&] {
+    if (folder == "-") throw console::BadInput("-o", folder, "a folder: a run is several files");
     simulate::Scene scene = simulate::read_scene(file, console::read_input(file));
     scene.options.threads = static_cast<int>(threads.value_or(1));
     View view(file, folder, page);

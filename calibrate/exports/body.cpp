@@ -219,6 +219,17 @@ Body no_such_tangential(std::string_view engine, std::string_view why) {
   return absent(fmt::format("NOT WRITTEN: {}'s tangential part can't be given beside this law: {}.", engine, why));
 }
 
+std::string of_each(const ContactSet& set, double (*value)(const PairCase&), std::string_view unit) {
+  std::vector<std::string> all;
+  for (const PairCase& p : set.pairs)
+    all.push_back(set.pairs.size() == 1
+                      ? shortest(value(p))
+                      : fmt::format("{} ({}, {})", rounded(value(p)), set.kinds[p.a].name, set.kinds[p.b].name));
+  return fmt::format("{}{}{}", fmt::join(all, ", "), unit.empty() ? "" : " ", unit);
+}
+
+double damping_per_mass(const PairCase& pair) { return law_of<Linear>(pair).c() / pair.impact.mass_eff; }
+
 void end_otherwise(Body& body, const ContactSet& set, ContactEnd engine_end, std::string remark) {
   if (set.end == engine_end) return;
   body.fidelity = Fidelity::close;

@@ -116,6 +116,11 @@ Body needs_shear_moduli(std::string_view engine);
 /// A tangential part that the engine can't be given beside this law.
 Body no_such_tangential(std::string_view engine, std::string_view why);
 
+/// "5 1/s": a value of the only pair; of several "5 (glass, glass), 7 (glass, steel) 1/s".
+std::string of_each(const ContactSet& set, double (*value)(const PairCase&), std::string_view unit = "");
+/// c/m [1/s] of a linear contact.
+double damping_per_mass(const PairCase& pair);
+
 /// Makes the body `close` when the engine ends contacts otherwise than asked, with the remark that says so.
 void end_otherwise(Body& body, const ContactSet& set, ContactEnd engine_end, std::string remark);
 

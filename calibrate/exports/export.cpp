@@ -119,10 +119,10 @@ Body written(const Language& in, const ContactSet& set) {
   return body;
 }
 
-/// "0.55 (+10 %)": a value beside the one asked for.
-std::string beside(double value, double asked) {
+/// "4.3e-05 s (-14 %)": a value beside the one asked for.
+std::string beside(double value, double asked, std::string_view unit = "") {
   const double percent = 100 * (value / asked - 1);
-  return fmt::format("{} ({}{} %)", rounded(value), percent < 0 ? "" : "+", support::significant(percent, 2));
+  return fmt::format("{}{} ({}{} %)", rounded(value), unit, percent < 0 ? "" : "+", support::significant(percent, 2));
 }
 
 /// Breaks a sentence into comment lines of at most 100 columns.
@@ -164,8 +164,14 @@ std::string heading(const Language& in, const ContactSet& set) {
 
 std::string what_it_gives(const Collision& gives, const PairCase& pair) {
   if (!gives.separated()) return "GIVES INSTEAD: a contact that never separates";
-  return fmt::format("GIVES INSTEAD: collision time {} s, restitution {}", beside(gives.tcol, pair.tcol),
+  return fmt::format("GIVES INSTEAD: collision time {}, restitution {}", beside(gives.tcol, pair.tcol, " s"),
                      beside(gives.en, pair.en));
+}
+
+/// See Snippet::off.
+double off(const Collision& gives, const PairCase& pair) {
+  if (!gives.separated()) return 1;
+  return std::max(std::abs(gives.tcol / pair.tcol - 1), std::abs(gives.en - pair.en));
 }
 
 /// What comes out where the engine ends contacts otherwise; a contact that then never separates is not written.
@@ -300,6 +306,15 @@ void append_step(const Language& in, const ContactSet& set, const Body& body, Sn
                               shortest(body.divided_time ? divisor(*body.divided_time, step) : step), in.step_behind);
 }
 
+/// The close one among them that is least off; the end where there is none.
+std::vector<Snippet>::const_iterator least_off(const std::vector<Snippet>& snippets) {
+  constexpr double alike = 1e-3;
+  auto least = snippets.end();
+  for (auto it = snippets.begin(); it != snippets.end(); ++it)
+    if (it->fidelity == Fidelity::close && (least == snippets.end() || it->off < least->off - alike)) least = it;
+  return least;
+}
+
 }  // namespace
 
 bool runs(Engine engine, const ExportCase& what) {
@@ -340,7 +355,10 @@ Snippet export_contacts(Engine engine, const ContactSet& set) {
   Snippet snippet{engine, set.pairs.front().law, set.end, body.fidelity, {}, body.remarks, heading(in, set)};
   const ContactEnd end = end_in(set, body);
   if (body.fidelity != Fidelity::absent) {
-    for (const PairCase& pair : set.pairs) snippet.gives.push_back(collide(pair.law, pair.impact, {.end = end}));
+    for (const PairCase& pair : set.pairs) {
+      snippet.gives.push_back(collide(pair.law, pair.impact, {.end = end}));
+      snippet.off = std::max(snippet.off, off(snippet.gives.back(), pair));
+    }
     for (const std::string& sentence : never_parting(set, end)) {
       body.remarks.push_back(sentence);
       snippet.remarks.push_back(sentence);
@@ -364,7 +382,7 @@ std::string comment(Engine engine, std::string_view sentence) {
 std::string combine(const std::vector<Snippet>& snippets) {
   const auto has = [](Fidelity f) { return [f](const Snippet& s) { return s.fidelity == f; }; };
   auto active = std::find_if(snippets.begin(), snippets.end(), has(Fidelity::exact));
-  if (active == snippets.end()) active = std::find_if(snippets.begin(), snippets.end(), has(Fidelity::close));
+  if (active == snippets.end()) active = least_off(snippets);
   std::string all;
   for (auto it = snippets.begin(); it != snippets.end(); ++it) {
     if (it != snippets.begin()) all += "\n";

@@ -151,13 +151,13 @@ struct Lammps {
     return text + "limit_damping clips the attractive part of the force (contact ended by force).";
   }
 
-  Body operator()(const Linear& law) const {
+  Body operator()(const Linear&) const {
     if (!set.other_sizes.empty()) return by_ratio();
     return {.fidelity = Fidelity::exact,
             .remarks = {setting(),
                         fmt::format("damping velocity takes c in kg/s as it is, for every pair. The styles gran/hooke "
-                                    "and gran/hooke/history take it per effective mass instead: gamma_n = {} 1/s here.",
-                                    shortest(law.c() / set.pairs.front().impact.mass_eff))},
+                                    "and gran/hooke/history take it per effective mass instead: gamma_n = {} here.",
+                                    of_each(set, damping_per_mass, "1/s"))},
             .input = each([this](const PairCase& p) {
               return contact(p, "hooke", law_of<Linear>(p).k(), law_of<Linear>(p).c(), "velocity");
             })};

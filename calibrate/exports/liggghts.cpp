@@ -97,15 +97,15 @@ struct Liggghts {
     return text;
   }
 
-  Body operator()(const Linear& law) const {
+  Body operator()(const Linear&) const {
     if (is_mindlin(set))
       return no_such_tangential("LIGGGHTS", "hooke/stiffness has a constant k_t; take the linear tangential law");
     Body body{
         .fidelity = Fidelity::exact,
         .remarks = {setting(),
                     fmt::format("absolute_damping on takes c in kg/s as it is; without it LIGGGHTS wants gamman per "
-                                "effective mass, {} 1/s here. limitForce on clips the attractive part of the force.",
-                                shortest(law.c() / set.pairs.front().impact.mass_eff))},
+                                "effective mass, {} here. limitForce on clips the attractive part of the force.",
+                                of_each(set, damping_per_mass, "1/s"))},
         .input = with_style({matrix("kn", [](const PairCase& p) { return law_of<Linear>(p).k(); }), k_t(),
                              matrix("gamman_abs", [](const PairCase& p) { return law_of<Linear>(p).c(); }), c_t()},
                             model("hooke/stiffness"), fmt::format("absolute_damping on {} {}", limit(), damping()))};
@@ -177,7 +177,7 @@ struct Liggghts {
       body.remarks.push_back(
           fmt::format("LIGGGHTS derives the damping for a force that may attract, so with limitForce on it rebounds "
                       "faster than asked; the coefficientRestitution below is the one whose damping gives {}.",
-                      shortest(set.pairs.front().en)));
+                      of_each(set, [](const PairCase& p) { return p.en; })));
     return body;
   }
 

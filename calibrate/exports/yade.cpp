@@ -137,12 +137,19 @@ struct Yade {
                        matches([this](const PairCase& p) { return asked_for(p)->en; }));
   }
 
+  static Body no_series() {
+    return absent(
+        "NOT WRITTEN: with friction Yade joins the springs and dashpots of both bodies' materials in series, and no "
+        "materials make those of all these pairs: none may be twice as strong as that of a body with its like. Yade "
+        "takes any without mu, and tsuji with mindlin.");
+  }
+
   Body operator()(const Linear&) const {
     if (is_mindlin(set))
       return no_such_tangential("Yade", "ViscElPhys has a constant k_t; take the linear tangential law");
     const auto timed = several() && !frictional(set) ? by_time() : std::nullopt;
     const auto input = timed ? timed : by_material();
-    if (!input) return needs_materials("Yade");
+    if (!input) return frictional(set) ? no_series() : needs_materials("Yade");
     Body body{
         .fidelity = Fidelity::exact,
         .remarks = {setting(), timed ? "tc and en are what makes Yade take these k and c; the contact, whose force "

@@ -166,19 +166,21 @@ console::Figure figure_of(const std::vector<Fit>& fits, const std::vector<Measur
   const auto curves = lines_of(fits);
   std::vector<Quantity> quantities{{"restitution", known ? "2:3" : "2", 0, times ? 2u : 1u}};
   if (times) quantities.push_back({"collision time [s]", "4:5", 1, 2});
-  constexpr int height = 640, line = 20, axis = 60;  // pixels; the key stands under the plots, a line a curve
-  const double foot = static_cast<double>(axis + line * (static_cast<int>(curves.size()) + 1)) / height;
+  constexpr int plots = 500, below = 8;  // pixels; under the plots stands the key, a line a curve
+  const int key_height = console::key_line * (static_cast<int>(curves.size()) + 1);
+  const int foot = console::axis_room + key_height + below, height = plots + foot;
   const Table measured = points(curves, data, times);
   console::Plot plot{.layout = console::Layout{.rows = 2,
                                                .columns = static_cast<int>(quantities.size()),
                                                .left = times ? 0.09 : 0.14,
                                                .right = times ? 0.98 : 0.97,
-                                               .bottom = foot,
+                                               .bottom = static_cast<double>(foot) / height,
                                                .top = 0.97,
                                                .between_columns = 0.13,
                                                .between_rows = 0.05,
                                                .down = true}};
-  std::string key = "at screen 0.5,0.01 center bottom vertical maxcols 1";  // the first panel's, for all
+  std::string key = fmt::format("at screen 0.5,{:.4f} center bottom vertical maxcols 1",
+                                static_cast<double>(below) / height);  // the first panel's, for all
   for (const Quantity& q : quantities) plot.panels.push_back(upper(q, measured, curves, known, std::exchange(key, "")));
   for (const Quantity& q : quantities) plot.panels.push_back(lower(q, measured, curves, known));
   return {"fit",

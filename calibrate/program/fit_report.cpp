@@ -93,7 +93,7 @@ Table parameter_table(const FitReport& report) {
         row.push_back(console::fixed(fit.correlations[i][j], 3));
       table.row({fit_name(fit.request), p.name, p.value, p.error, p.unit, fmt::format("{}", fmt::join(row, " "))});
     }
-  if (report.data.front().tcol > 0)  // without times the mass has no part in what is told
+  if (report.data.front().tcol > 0 || report.run)  // without times and scale the mass has no part in what is told
     for (const auto& assumption : report.assumptions) table.note("assumed: " + assumption);
   for (const auto& note : report.notes) table.note(note);
   if (!report.run)
@@ -310,6 +310,7 @@ Measurement bodies_of(const Options& options, FitReport& report) {
         throw BadInput(fmt::format("{}: must be left out with a file whose rows have masses or radii", flag));
     report.notes.push_back(fmt::format("parameters are told for the bodies of line {}, effective mass {} kg",
                                        first.line, console::significant(first.mass_eff, 6)));
+    if (!options.asked.wall) report.assumptions.emplace_back("two equal spheres meet, not one and a plate (--wall)");
     return first;
   }
   const Bodies bodies = calibration::bodies_of(options.asked, Spelling::flags, report.assumptions);

@@ -67,6 +67,13 @@ console::Figure curves_figure(const Report& report) {
   }
   auto figure = console::collision_panels(
       "collision", "Overlap, velocity and force during the collision, under every law.", motions);
+  if (motions.size() == 1) {
+    figure.caption = fmt::format("Overlap, velocity and force during the collision: {}.", title_of(*most));
+    figure.finding =
+        fmt::format("It ends after {} s, and the greatest force is {} N.", console::significant(most->achieved.tcol, 3),
+                    console::significant(most->achieved.max_force, 3));
+    return figure;
+  }
   figure.finding = fmt::format("{} the greatest force ranges from {} N ({}) to {} N ({}).",
                                std::holds_alternative<scale::CollisionTime>(report.job.known.scale) && !report.job.given
                                    ? "All laws end after the same time with the same velocity; on the way"
@@ -162,7 +169,9 @@ std::string lead_of(const Report& report) {
                   console::significant(impact.mass_eff, 9));
   lead += fmt::format("{} {} by an independent numerical collision",
                       laws == 1 ? "one contact law" : fmt::format("{} contact laws", laws),
-                      report.job.given ? "followed" : "found, and each proved");
+                      report.job.given ? "followed"
+                      : laws == 1      ? "found, and proved"
+                                       : "found, and each proved");
   return lead + (missed ? fmt::format("; {} out of reach.", missed) : ".");
 }
 

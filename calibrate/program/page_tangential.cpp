@@ -90,8 +90,8 @@ console::Figure figure_of(const Report& report) {
   console::SeriesFile laws("oblique_laws.csv", "law,angle [deg],et"),
       inputs("oblique_inputs.csv", "inputs,angle [deg],et");
   const auto of_laws = lines_of_laws(report), of_inputs = lines_of_inputs(report);
-  constexpr int height = 420, axis = 90, line = 25;  // pixels; a line of the keys is a curve
-  const int key = line * static_cast<int>(std::max(of_laws.size(), of_inputs.size()));
+  constexpr int height = 420, axis = 90;  // pixels; a line of the keys is a curve
+  const int key = console::key_line * static_cast<int>(std::max(of_laws.size(), of_inputs.size()));
   const double foot = static_cast<double>(axis + key) / (height + key);
   const console::Plot plot{
       .panels = {panel_of("every law", 0.32, of_laws, laws), panel_of(of_laws.front().title, 0.77, of_inputs, inputs)},

@@ -183,8 +183,9 @@ Table step_table(const Report& report) {
   table.note(
       report.job.step
           ? fmt::format("--export writes the step that was asked for, {} s", console::shortest(*report.job.step))
-          : fmt::format("--export writes the step for {} %",
-                        console::shortest(100 * *std::min_element(std::begin(step_bounds), std::end(step_bounds)))));
+          : fmt::format("--export writes the step for {} %{}",
+                        console::shortest(100 * *std::min_element(std::begin(step_bounds), std::end(step_bounds))),
+                        report.job.wall ? ", of two such grains where theirs is shorter" : ""));
   if (missed) table.note("-: more than 20000 steps a collision");
   if (const auto time = rayleigh_of(report.job))
     table.note(fmt::format("Rayleigh time of the smaller sphere: {} s", console::significant(*time, 3)));

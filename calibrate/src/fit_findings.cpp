@@ -4,6 +4,7 @@
 #include <ricochet/support/text.hpp>
 
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ std::size_t observations_in(const std::vector<Measurement>& data) { return data.
 
 /// Does the restitution that is left over follow the speed? So it is where the slope of the residuals against ln v is
 /// four standard errors from 0, both by their own scatter and by what is known of it: the stated errors, or the
-/// model's.
+/// model's. Where the scatter alone tells its size, so many more as Student's t comes by chance once in a thousand.
 bool rest_follows_speed(const Fit& fit, const VectorXd& r, const std::vector<Measurement>& data) {
   const Index stride = data[0].tcol > 0 ? 2 : 1;
   const Index count = static_cast<Index>(data.size());
@@ -44,7 +45,9 @@ bool rest_follows_speed(const Fit& fit, const VectorXd& r, const std::vector<Mea
   if (count < 3 || !(xx > 0)) return false;
   const double along = x.dot(y) / std::sqrt(xx);
   const double rest = std::max(y.squaredNorm() - along * along, 0.0) / static_cast<double>(count - 2);
-  return along * along > 16 * std::max(rest, sigma * sigma);
+  const double errors =
+      fit.errors_known ? 4 : std::max(4.0, gsl_cdf_tdist_Qinv(0.5 * 1e-3, static_cast<double>(count - 2)));
+  return along * along > errors * errors * std::max(rest, sigma * sigma);
 }
 
 /// Of what the data tell and what not, whatever they are.

@@ -103,8 +103,9 @@ bool names(const CsvColumn& column, std::string_view name) {
 }  // namespace
 
 bool is_csv_remark(std::string_view line) {
-  const auto first = line.find_first_not_of(" \t");
-  return first == std::string_view::npos || line[first] == '#';
+  const auto first = line.find_first_not_of(" \t;,");
+  if (first == std::string_view::npos) return true;
+  return line.substr(line.find_first_not_of(" \t")).starts_with('#') || (line.starts_with("sep=") && line.size() <= 5);
 }
 
 std::string_view take_line(std::string_view& text) {

@@ -24,7 +24,24 @@ std::optional<std::string_view> bracketed(std::string_view text, std::size_t at)
   return std::nullopt;
 }
 
-/// What of `text` from `at` on makes an exponent without brackets: a sign and digits, or one letter.
+struct Symbol {
+  std::string_view word, html;
+};
+constexpr Symbol symbols[] = {
+    {"alpha", "α"}, {"beta0", "<i>β</i><sub>0</sub>"}, {"en", "<i>e</i><sub>n</sub>"}, {"mu", "μ"},
+    {"nu", "ν"},    {"tcol", "<i>t</i><sub>col</sub>"}};
+
+/// The symbol whose name begins at `at`; nullptr where a longer name does.
+const Symbol* symbol_at(std::string_view text, std::size_t at) {
+  for (const Symbol& symbol : symbols) {
+    const std::size_t end = at + symbol.word.size();
+    if (text.substr(at).starts_with(symbol.word) && (end >= text.size() || text[end] == '-' || !is_word(text[end])))
+      return &symbol;
+  }
+  return nullptr;
+}
+
+/// What of `text` from `at` on makes an exponent without brackets: a sign and digits, a symbol's name, or one letter.
 std::size_t bare_exponent(std::string_view text, std::size_t at) {
   const auto is_digit = [&](std::size_t i) {
     return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i]));
@@ -40,6 +57,7 @@ std::size_t bare_exponent(std::string_view text, std::size_t at) {
     for (++end; is_digit(end);) ++end;
   if (end > digits) return end - at;
   if (digits > at || at >= text.size()) return 0;
+  if (const Symbol* const symbol = symbol_at(text, at)) return symbol->word.size();
   if (is_ascii(text[at])) return std::isalpha(static_cast<unsigned char>(text[at])) ? 1 : 0;
   std::size_t letter = 1;  // of several bytes
   while (at + letter < text.size() && (static_cast<unsigned char>(text[at + letter]) & 0xC0) == 0x80) ++letter;
@@ -48,16 +66,26 @@ std::size_t bare_exponent(std::string_view text, std::size_t at) {
 
 class Writer {
  public:
-  explicit Writer(std::string_view text) : text_(text) {}
+  enum class Kind { prose, formula };  // a hyphen of a formula is a minus
+
+  explicit Writer(std::string_view text, Kind kind = Kind::prose) : text_(text), kind_(kind) {}
 
   std::string html() {
     while (at_ < text_.size())
-      if (!exponent() && !index() && !power_of_ten() && !symbol()) html_ += text_[at_++];
+      if (!exponent() && !index() && !power_of_ten() && !symbol() && !minus()) html_ += text_[at_++];
     return html_;
   }
 
  private:
-  bool begins_word() const { return at_ == 0 || !is_word(text_[at_ - 1]); }
+  bool is_minus(std::size_t at) const { return kind_ == Kind::formula && text_[at] == '-'; }
+  bool begins_word() const { return at_ == 0 || !is_word(text_[at_ - 1]) || is_minus(at_ - 1); }
+
+  bool minus() {
+    if (!is_minus(at_)) return false;
+    html_ += "−";
+    ++at_;
+    return true;
+  }
 
   /// x^2, x^{1−α}, s^(alpha-2)
   bool exponent() {
@@ -66,13 +94,13 @@ class Writer {
     if (next == '{' || next == '(') {
       const auto inner = bracketed(text_, at_ + 1);
       if (!inner) return false;
-      html_ += "<sup>" + Writer(*inner).html() + "</sup>";
+      html_ += "<sup>" + Writer(*inner, Kind::formula).html() + "</sup>";
       at_ += inner->size() + 3;
       return true;
     }
     const std::size_t length = bare_exponent(text_, at_ + 1);
     if (length == 0) return false;
-    html_ += "<sup>" + signed_text(text_.substr(at_ + 1, length)) + "</sup>";
+    html_ += "<sup>" + Writer(text_.substr(at_ + 1, length), Kind::formula).html() + "</sup>";
     at_ += 1 + length;
     return true;
   }
@@ -117,29 +145,15 @@ class Writer {
 
   /// alpha, tcol, en: a word that is a symbol's name, but not in a flag or in a longer name.
   bool symbol() {
-    struct Symbol {
-      std::string_view word, html;
-    };
-    static constexpr Symbol symbols[] = {
-        {"alpha", "α"}, {"beta0", "<i>β</i><sub>0</sub>"}, {"en", "<i>e</i><sub>n</sub>"}, {"mu", "μ"},
-        {"nu", "ν"},    {"tcol", "<i>t</i><sub>col</sub>"}};
-    if (!begins_word()) return false;
-    for (const auto& [word, html] : symbols) {
-      if (!text_.substr(at_).starts_with(word)) continue;
-      const std::size_t end = at_ + word.size();
-      if (end < text_.size() && text_[end] != '-' && is_word(text_[end])) continue;
-      html_ += html;
-      at_ = end;
-      return true;
-    }
-    return false;
-  }
-
-  static std::string signed_text(std::string_view exponent) {
-    return exponent.starts_with("-") ? "−" + std::string(exponent.substr(1)) : std::string(exponent);
+    const Symbol* const symbol = begins_word() ? symbol_at(text_, at_) : nullptr;
+    if (!symbol) return false;
+    html_ += symbol->html;
+    at_ += symbol->word.size();
+    return true;
   }
 
   std::string_view text_;
+  Kind kind_;
   std::size_t at_ = 0;
   std::string html_;
 };

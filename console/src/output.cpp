@@ -115,7 +115,9 @@ MadeFolder::MadeFolder(std::string path) : path_(std::move(path)) {
   std::filesystem::create_directories(path_, error);
   if (error) {
     remove_empty_folders(path_, made_);
-    throw BadInput(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
+    std::error_code none;
+    throw BadInput(fmt::format("{}: cannot make the folder: {}", path_,
+                               std::filesystem::is_symlink(path_, none) ? "it is a link to nothing" : error.message()));
   }
   const std::string whole = std::filesystem::absolute(path_).string();
   passing_ = std::make_unique<Passing>(Passing::Kind::empty_folders, whole, made_);

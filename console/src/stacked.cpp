@@ -12,9 +12,8 @@ namespace {
 
 // Pixels; a screen of 390 shows them about as they are.
 constexpr int width = 420, left = 110;
-constexpr int right = 24;                ///< holds half of the last number of an axis, of five digits
-constexpr int above = 14, title = 24;    ///< over a panel, and what its title needs
-constexpr int axis = 68, key_line = 25;  ///< under it, and for every line of a key there
+constexpr int right = 24;              ///< holds half of the last number of an axis, of five digits
+constexpr int above = 14, title = 24;  ///< over a panel, and what its title needs
 
 const Layout& layout_of(const Plot& plot) {
   static const Layout alone{.bottom = 0.15, .top = 0.95};
@@ -74,7 +73,7 @@ Figure stacked(const Figure& figure) {
   int height = 0;
   for (const Panel& panel : panels) {
     const int top = height + above + (panel.title.empty() ? 0 : title), bottom = top + height_of_panel(figure);
-    height = bottom + axis + key_line * lines_under(figure.plot, panel, rows.empty());
+    height = bottom + axis_room + key_line * lines_under(figure.plot, panel, rows.empty());
     rows.push_back({top, bottom, height});
   }
   const auto up = [height](int pixels) { return 1 - static_cast<double>(pixels) / height; };
@@ -85,7 +84,7 @@ Figure stacked(const Figure& figure) {
                         .right = static_cast<double>(width - right) / width,
                         .bottom = up(bottom),
                         .top = up(top)};
-    if (end == bottom + axis) continue;
+    if (end == bottom + axis_room) continue;
     const std::string key = fmt::format(
         "at screen 0.5,{:.3f} center bottom vertical maxcols 1 reverse Left spacing 1.2 samplen 2", up(end));
     (panels[i].key.empty() ? key_of_all : panels[i].key) = key;

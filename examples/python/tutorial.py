@@ -30,6 +30,20 @@ for name in ("linear", "kuwabara-kono"):
 kernel = ricochet.memory_kernel(law.alpha, shortest=1e-6, longest=1e-3, tolerance=1e-6)
 print(f"memory: {len(kernel.rates)} Maxwell arms keep the kernel of D^{law.alpha:.3f} to {kernel.error:.1e}")
 
+# Each arm gains what the overlap grows by and fades; all of them, a spring and a dashpot are the force.
+step, mass = 1e-7, 7.06858e-6
+decay = np.exp(-kernel.rates * step)
+gain = -kernel.strengths * np.expm1(-kernel.rates * step) / kernel.rates
+coefficient = law.c**law.alpha * law.k ** (1 - law.alpha)
+overlap, rate, time, force, arms = 0.0, 0.5, 0.0, 1.0, np.zeros(len(kernel.rates))
+while force > 0:
+    overlap += step * rate
+    arms = decay * arms + gain * rate
+    force = coefficient * (kernel.spring * overlap + kernel.dashpot * rate + arms.sum())
+    rate -= step * force / mass
+    time += step
+print(f"a loop of one's own: {time:.3g} s, restitution {-rate / 0.5:.3f}")
+
 # --- Many grains ---------------------------------------------------------------------------------------------------
 contact = ricochet.Interaction(
     law, ricochet.TangentialContact(ricochet.LinearTangential(1500.0, 0.01), ricochet.Friction(0.4))

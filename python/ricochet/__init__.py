@@ -88,8 +88,20 @@ def tcol_estimate(coefficient: ArrayLike, alpha: ArrayLike) -> Number:
 
 def _broadcast(**values: ArrayLike) -> Tuple[Sequence[NDArray[np.float64]], Tuple[int, ...]]:
     """The values as flat arrays of doubles of one length, and the shape that they had in common."""
-    arrays = np.broadcast_arrays(*(_doubles(name, v) for name, v in values.items()))
+    given = {name: _doubles(name, v) for name, v in values.items()}
+    try:
+        arrays = np.broadcast_arrays(*given.values())
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in given.items() if array.shape)
+        raise ValueError(f"shapes of {shapes}: must be such that one can be spread over the others") from None
     return [np.ascontiguousarray(a).ravel() for a in arrays], arrays[0].shape
+
+
+def _spread(name: str, values: NDArray[Any], shape: Tuple[int, ...]) -> NDArray[Any]:
+    try:
+        return np.ascontiguousarray(np.broadcast_to(values, shape))
+    except ValueError:
+        raise ValueError(f"{name} of shape {values.shape}: must be {shape}, or one number for all") from None
 
 
 def _shaped(flat: NDArray[Any], shape: Tuple[int, ...]) -> Any:
@@ -321,7 +333,7 @@ def fit(
     if (tcol is None) != (tcol_sigma is None):
         raise ValueError("tcol, tcol_sigma: must be given together")
     sigmas = [
-        np.empty(0) if s is None else np.ascontiguousarray(np.broadcast_to(_doubles(name, s), v.shape))
+        np.empty(0) if s is None else _spread(name, _doubles(name, s), v.shape)
         for name, s in (("en_sigma", en_sigma), ("tcol_sigma", tcol_sigma))
     ]
     return _core._fit(law, end, _number("mass_eff", mass_eff), v, e, sigmas[0], t, sigmas[1])
@@ -348,7 +360,7 @@ def _whole(values: ArrayLike, count: int) -> Sequence[int]:
     given = np.asanyarray(values)
     if isinstance(given, np.ma.MaskedArray) or given.dtype.kind not in "iu" or (given < 0).any():
         raise ValueError(f"materials = {values!r}: must be whole numbers from 0")
-    return [int(number) for number in np.broadcast_to(given, (count,))]
+    return [int(number) for number in _spread("materials", given, (count,))]
 
 
 def _bodies(
@@ -365,7 +377,7 @@ def _bodies(
         raise ValueError(f"positions of shape {x.shape}: must be (n, 3)")
     n = x.shape[0]
     r, density = (
-        np.ascontiguousarray(np.broadcast_to(_doubles(name, values), (n,)))
+        _spread(name, _doubles(name, values), (n,))
         for name, values in (("radii", radii), ("densities", densities))
     )
     v, spin = _rows("velocities", velocities, n), _rows("spins", spins, n)

@@ -43,13 +43,14 @@ double number(const std::string& name, const py::handle& value) {
 std::vector<double> values_of(const LawKind& kind, const py::args& args, const py::kwargs& kwargs) {
   const auto parameters = kind.parameters();
   if (args.size() + kwargs.size() != parameters.size())
-    throw std::invalid_argument(std::to_string(args.size() + kwargs.size()) + " parameters: " + described(kind));
+    throw std::invalid_argument(std::to_string(args.size() + kwargs.size()) + " parameters: must be " +
+                                std::to_string(parameters.size()) + ". " + described(kind));
   std::vector<double> values;
   values.reserve(parameters.size());
   for (const auto& arg : args) values.push_back(number(std::string(parameters[values.size()].name), arg));
   for (std::size_t i = values.size(); i < parameters.size(); ++i) {
     const std::string name(parameters[i].name);
-    if (!kwargs.contains(name)) throw std::invalid_argument("no " + name + ": " + described(kind));
+    if (!kwargs.contains(name)) throw std::invalid_argument(name + ": missing: must be given. " + described(kind));
     values.push_back(number(name, kwargs[name.c_str()]));
   }
   return values;

@@ -161,7 +161,9 @@ void resolve(const ByPair& by_pair, ClusterSetup& setup) {
   const auto& all = sorts.all();
   if (all.size() > most_sorts)
     place_of(by_pair).complain(
-        fmt::format("{} sizes of bodies; what is each pair's own must meet at most {}", all.size(), most_sorts));
+        fmt::format("{} sizes of bodies; must be at most {} where a law is found for each pair (\"en\", \"beta0\"); "
+                    "parameters such as k and c, k_t and c_t hold for any",
+                    all.size(), most_sorts));
   setup.interactions.clear();
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i; j < all.size(); ++j) {

@@ -28,7 +28,16 @@ class Flights {
         scene_(scene),
         setup_(scene.setup),
         duration_(root.at("duration").positive()),
-        insists_(root.has("insist") && root.at("insist").yes_or_no()) {}
+        insists_(root.has("insist") && root.at("insist").yes_or_no()) {
+    for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+      const double period = setup_.periodic.period.*axis;
+      for (std::size_t n = images_.size(); period > 0 && n-- > 0;)
+        for (const double way : {-period, period}) {
+          images_.push_back(images_[n]);
+          images_.back().*axis += way;
+        }
+    }
+  }
 
   std::string remark;
 
@@ -56,8 +65,15 @@ class Flights {
   }
 
   void at_each_other(std::size_t i, std::size_t j) {
+    const Vec3 d = setup_.periodic.shortest(setup_.spheres[j].position - setup_.spheres[i].position);
+    for (const Vec3 image : images_) at_image(i, j, d + image);
+  }
+
+ private:
+  /// Of a sphere and another at d from it.
+  void at_image(std::size_t i, std::size_t j, Vec3 d) {
     const Sphere &a = setup_.spheres[i], &b = setup_.spheres[j];
-    const Vec3 d = b.position - a.position, v = b.velocity - a.velocity;
+    const Vec3 v = b.velocity - a.velocity;
     const double reach = a.radius + b.radius, rate = -dot(d, v), square = dot(v, v);
     if (!(rate > 0)) return;
     const double miss = dot(d, d) - rate * rate / square;  // square of the least distance
@@ -68,8 +84,6 @@ class Flights {
     judge(j, name(i), along, depth(law_of(a.material, b.material), mass, along), std::min(a.radius, b.radius),
           Breakthrough::share);
   }
-
- private:
   const Interaction& law_of(std::size_t a, std::size_t b) const { return setup_.interactions.at(std::minmax(a, b)); }
   std::size_t given() const { return root_.has("spheres") ? root_.at("spheres").size() : 0; }
   std::string name(std::size_t i) const {
@@ -93,6 +107,7 @@ class Flights {
   const ClusterSetup& setup_;
   double duration_;
   bool insists_;
+  std::vector<Vec3> images_{Vec3{}};  ///< those next to a sphere, with itself
 };
 
 }  // namespace

@@ -275,9 +275,10 @@ void choose_step(const Node& root, Scene& scene) {
     step = root.at("step").positive();
     if (step > interval) root.at("step").reject(fmt::format("at most the output interval, {} s", shortest(interval)));
     if (tcol > 0 && step > tcol / least_steps_per_collision)
-      root.at("step").reject(fmt::format("at most {} s, a 20th of the {} s that {} and {} collide",
+      root.at("step").reject(fmt::format("at most {} s, a 20th of the {} s that {} and {} {}",
                                          shortest(tcol / least_steps_per_collision), significant(tcol, 3),
-                                         body(scene, scene.stiffest.i), body(scene, scene.stiffest.j)));
+                                         body(scene, scene.stiffest.i), body(scene, scene.stiffest.j),
+                                         scene.stiffest.tangential ? "swing on their tangential spring" : "collide"));
     if (step > period / least_steps_per_collision)
       root.at("step").reject(fmt::format("at most {} s, a 20th of the {} s that a wall takes to swing",
                                          shortest(period / least_steps_per_collision), significant(period, 3)));
@@ -312,7 +313,21 @@ void read_bodies(const std::string& file, const Node& root, const Materials& mat
 }
 
 // What a cluster would refuse, or could not move right.
+/// Doubles tell a place in its cell to 1e-10 of a period as far as this many periods off.
+void check_distances(const Node& root, const Scene& scene) {
+  constexpr double most_periods = 1e6;
+  const std::size_t given = root.has("spheres") ? root.at("spheres").size() : 0;
+  for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z})
+    for (std::size_t i = 0; i < scene.setup.spheres.size() && scene.setup.periodic.period.*axis > 0; ++i) {
+      if (std::abs(scene.setup.spheres[i].position.*axis) <= most_periods * scene.setup.periodic.period.*axis) continue;
+      constexpr const char* accepted = "a million periods off at most along a periodic axis";
+      if (i < given) root.at("spheres").at(i).at("position").reject(accepted);
+      root.complain(fmt::format("sphere {}: its position must be {}", i + 1, accepted));
+    }
+}
+
 void check_space(const Node& root, const Scene& scene) {
+  check_distances(root, scene);
   double largest = 0, smallest = std::numeric_limits<double>::max();
   for (std::size_t k = 0; k < scene.sphere_count(); ++k)
     largest = std::max(largest, scene.sphere(k).radius), smallest = std::min(smallest, scene.sphere(k).radius);

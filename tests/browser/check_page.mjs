@@ -70,9 +70,9 @@ async function check_folds(page) {
   if (!folded) return;
   const link = page.locator('a[data-checked]');
   await link.click();
-  await page.waitForTimeout(50);
-  const shown = await link.evaluate(a => document.getElementById(a.getAttribute('href').slice(1)).checkVisibility());
-  if (!shown) report('link', `${await link.getAttribute('href')} leaves folded what it leads to`);
+  const shown = a => document.getElementById(a.getAttribute('href').slice(1)).checkVisibility();
+  await page.waitForFunction(shown, await link.elementHandle(), {timeout: 5000}).catch(() => {});
+  if (!await link.evaluate(shown)) report('link', `${await link.getAttribute('href')} leaves folded what it leads to`);
 }
 
 /// Everything that can be focused comes in the order of the page, and the focus never gets stuck.
@@ -148,7 +148,7 @@ try {
     await context.close();
   }
 } finally {
-  rmSync(profile, {recursive: true, force: true});
+  rmSync(profile, {recursive: true, force: true, maxRetries: 5, retryDelay: 200});
 }
 for (const line of found) console.error(line);
 console.log(`${basename(page_file)}: ${pages} views, ${found.length} findings`);

@@ -299,6 +299,20 @@ TEST_CASE("one file of several laws acts on one of them") {
   CHECK(active(whole) == active(snippets[1]));  // the first exact one: Yade ends contacts by force
 }
 
+TEST_CASE("among laws that an engine runs in its own way, the one that gives what was asked is acted on") {
+  const auto snippet = [](Fidelity fidelity, double off, const std::string& text) {
+    return Snippet{Engine::yade, linear, ContactEnd::force, fidelity, {}, {}, text + "\n", off};
+  };
+  const auto first = snippet(Fidelity::close, 0.14, "a"), met = snippet(Fidelity::close, 1e-9, "b"),
+             same = snippet(Fidelity::close, 0, "c"), none = snippet(Fidelity::absent, 0, "d");
+  CHECK(combine({none, first, met, same}) == "# d\n\n# a\n\nb\n\n# c\n");
+  CHECK(combine({first, snippet(Fidelity::exact, 0, "e")}) == "# a\n\ne\n");
+  // Its own end costs Yade a seventh of the collision time; ended by force the law is run as it is.
+  const auto by_overlap = export_law(Engine::yade, with(linear, ContactEnd::overlap));
+  CHECK(by_overlap.off == Approx(1 - by_overlap.gives.front().tcol / 1e-4).epsilon(1e-12));
+  CHECK(export_law(Engine::yade, with(linear_by_force, ContactEnd::force)).off < 1e-4);  // its numbers are rounded
+}
+
 TEST_CASE("the snippets read as agreed") {
   for (const Engine engine : engines()) {
     std::vector<Snippet> snippets;

@@ -51,6 +51,11 @@ const Truth truths[] = {{kind_of<Linear>, Linear(5000, 0.1)},
                         {kind_of<Hysteretic>, Hysteretic(4000, 9000)},
                         {kind_of<Fractional>, Fractional(5000, 0.3, 0.3)}};
 
+bool said(const Fit& fit, const std::string& what) {
+  return std::any_of(fit.findings.begin(), fit.findings.end(),
+                     [&](const std::string& finding) { return finding.find(what) != std::string::npos; });
+}
+
 }  // namespace
 
 TEST_CASE("data without error give their law back") {
@@ -184,10 +189,6 @@ TEST_CASE("the fit's own collisions are those of the laws, to 1e-9") {
 }
 
 TEST_CASE("what the data cannot tell is said") {
-  const auto said = [](const Fit& fit, const std::string& what) {
-    return std::any_of(fit.findings.begin(), fit.findings.end(),
-                       [&](const std::string& finding) { return finding.find(what) != std::string::npos; });
-  };
   const FitRequest follows{kind_of<Fractional>, ContactEnd::force, mass, true};
   CHECK_THROWS_WITH(fit_law(follows, {{1, 0.5}, {1, 0.4}, {1, 0.45}}),
                     "b has no effect on these data, which cannot tell it");
@@ -216,6 +217,26 @@ TEST_CASE("what the data cannot tell is said") {
   // A law that follows the speed can miss, too.
   CHECK(said(fit_law({kind_of<KuwabaraKono>, ContactEnd::force, mass}, equal),
              "what the law leaves over follows the speed"));
+}
+
+TEST_CASE("scatter of a few rows is seldom taken for a misfit, a real one still is") {
+  std::mt19937_64 random(11);
+  const FitRequest request{kind_of<Linear>, ContactEnd::force, mass};
+  for (const int rows : {3, 4, 6, 12}) {
+    CAPTURE(rows);
+    int missed = 0;
+    constexpr int trials = 2000;
+    for (int trial = 0; trial < trials; ++trial) {
+      std::vector<Measurement> data;
+      for (int i = 0; i < rows; ++i)
+        data.push_back({std::exp2(i), std::normal_distribution<double>(0.6, 0.02)(random)});
+      missed += said(fit_law(request, data), "misfit");
+    }
+    CHECK(missed < 10);  // two of 2000 are to be expected at most
+  }
+  std::vector<Measurement> sloping;
+  for (int i = 0; i < 6; ++i) sloping.push_back({std::exp2(i), 0.9 - 0.05 * i + 0.004 * (i % 2)});
+  CHECK(said(fit_law(request, sloping), "misfit"));
 }
 
 TEST_CASE("errors and correlations are those of a parametric bootstrap") {

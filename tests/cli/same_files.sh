@@ -1,5 +1,8 @@
 # To be sourced.
 
+# Without the lines of how far slow work is, which a busy machine makes it say.
+drop_progress() { sed -i -E '/^[a-z ]+: [0-9]+( %, [0-9]+ s left)?$/d' "$1"; }
+
 # same_files A B: do two folders hold the same files, byte for byte? Prints where they do not. The time that Cairo packs
 # into a PDF from version 1.18 on may be another.
 same_files() {

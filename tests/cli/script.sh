@@ -2,7 +2,8 @@
 # script.sh SOURCE: what ./ricochet does before it builds, in a checkout of its own, with cmake and dpkg-query played.
 set -euo pipefail
 source=$(realpath "$1")
-folder=$(mktemp -d)
+umask 022 # somebody else runs the script here
+folder=$(realpath "$(mktemp -d)")
 chmod 755 "$folder"
 trap 'rm -rf "$folder"' EXIT
 declare -i failures=0

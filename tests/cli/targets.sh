@@ -2,6 +2,7 @@
 # targets.sh CALIBRATE: many rows, on any number of threads to the same bytes, in bounded memory; nothing is left of
 # what is interrupted. Exit code 77 where all was well but the memory could not be bounded.
 set -euo pipefail
+source "$(dirname "$0")/same_files.sh"
 calibrate=$(realpath "$1")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -25,11 +26,14 @@ if grep -qE '__[at]san_init' "$calibrate"; then
 fi
 (ulimit -v $room; "$calibrate" --targets rows.csv --threads 2 -o two.csv 2>two.err) || code=$?
 [[ $code == 1 ]] || fail "exit code $code with bad rows"
+drop_progress two.err
 "$calibrate" --targets rows.csv --threads 1 >one.csv 2>one.err && fail "bad rows went unnoticed"
+drop_progress one.err
 cmp one.csv two.csv
 cmp one.err two.err
 for threads in 3 7; do
   "$calibrate" --targets rows.csv --threads $threads >more.csv 2>more.err && fail "bad rows went unnoticed"
+  drop_progress more.err
   cmp one.csv more.csv
   cmp one.err more.err
 done

@@ -10,7 +10,8 @@
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "ricochet.XXXXXX").string();
+    const auto parent = std::filesystem::canonical(std::filesystem::temp_directory_path());
+    std::string name = (parent / "ricochet.XXXXXX").string();
     if (!::mkdtemp(name.data())) std::abort();
     path_ = name;
   }

@@ -67,6 +67,11 @@ TEST_CASE("a line of CSV falls into its fields") {
   CHECK(fields_of(std::string(CsvColumns::most, ',')).front().ends_with("must be a row of CSV"));
   CHECK(is_csv_remark(" \t"));
   CHECK(is_csv_remark("# x"));
+  CHECK(is_csv_remark(" ;;;"));
+  CHECK(is_csv_remark(","));
+  CHECK(is_csv_remark("sep=;"));
+  CHECK_FALSE(is_csv_remark(";# x"));
+  CHECK_FALSE(is_csv_remark("sep=;e"));
   CHECK_FALSE(is_csv_remark("x"));
 }
 

@@ -24,8 +24,9 @@ TEST_CASE("mathematics is set as people write it, and names stay what they are")
   CHECK(html_text("t_col, k_t; max_overlap, en_sigma, x_y_z") ==
         "<i>t</i><sub>col</sub>, <i>k</i><sub>t</sub>; max_overlap, en_sigma, x_y_z");
   CHECK(html_text("c^α k^{1−α} D^α ζ") == "c<sup>α</sup> k<sup>1−α</sup> D<sup>α</sup> ζ");
+  CHECK(html_text("c^alpha k^(1-alpha), x^alphabet") == "c<sup>α</sup> k<sup>1−α</sup>, x<sup>a</sup>lphabet");
   CHECK(html_text("kg/(s^2 m^(1/2)), s^(alpha-2), 10^-4 s, t^p") ==
-        "kg/(s<sup>2</sup> m<sup>1/2</sup>), s<sup>α-2</sup>, 10<sup>−4</sup> s, t<sup>p</sup>");
+        "kg/(s<sup>2</sup> m<sup>1/2</sup>), s<sup>α−2</sup>, 10<sup>−4</sup> s, t<sup>p</sup>");
   CHECK(html_text("K D^a z^1.5. x^2.") == "K D<sup>a</sup> z<sup>1.5</sup>. x<sup>2</sup>.");
   CHECK(html_text("--alpha 0.5, alpha_max, 1e30, 2.5e+05, 1e-04, -1e6, 1.1e2, 21e2") ==
         "--alpha 0.5, alpha_max, 10<sup>30</sup>, 2.5·10<sup>5</sup>, 10<sup>−4</sup>, -10<sup>6</sup>, "

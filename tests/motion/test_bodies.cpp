@@ -61,6 +61,18 @@ TEST_CASE("The stiffest contact lasts as long as the collision without its dampi
   CHECK(stiffest(law) == Approx(tcol).epsilon(0.04));  // (57) is an estimate
 }
 
+TEST_CASE("A tangential spring that swings faster than its contact lasts is the stiffest, and said to be") {
+  for (const double k_t : {1400.0, 1450.0}) {  // two sevenths of the normal k are 1428.6
+    CAPTURE(k_t);
+    ClusterSetup setup = pair_of(Linear(5000, 0));
+    for (auto& [pair, interaction] : setup.interactions) interaction.tangential = LinearTangential(k_t, 0);
+    const StiffestContact s = stiffest_contact(setup);
+    const double m = mass_eff(setup), across = std::numbers::pi * std::sqrt(2.0 / 7 * m / k_t);
+    CHECK(s.tangential == (k_t > 10000.0 / 7));
+    CHECK(s.tcol == Approx(std::min(std::numbers::pi * std::sqrt(m / 5000), across)).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("Walls, materials and gravity take part in the stiffest contact") {
   ClusterSetup setup = pair_of(Linear(5000, 0));
   setup.walls.push_back({{0, 0, -1}, {0, 0, 1}, 1});

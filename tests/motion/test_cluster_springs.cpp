@@ -144,10 +144,12 @@ TEST_CASE("an oblique impact on springs is met at second order, sticking, slidin
 // Springs against turning, however weak, are stepped one by one.
 TEST_CASE("contacts stepped side by side move as those stepped one by one do") {
   const LinearTangential law(k_t, 4);
+  const MindlinTangential growing(4e9, 4);
   ClusterSetup drum = skew(true, 0.092, law);
   drum.walls = {{.inward = {0, 1, 0}, .form = surface::Cylinder{0.01}}};
   drum.spheres[0].position = {0, 0, -0.01 + r + gap};
-  for (const ClusterSetup& setup : {skew(true, 0.092, law), skew(true, 0.5, law), skew(false, 0.092, law), drum}) {
+  for (const ClusterSetup& setup : {skew(true, 0.092, law), skew(true, 0.5, law), skew(false, 0.092, law), drum,
+                                    skew(true, 0.092, growing), skew(false, 0.3, growing)}) {
     ClusterSetup one_by_one = setup;
     one_by_one.interactions.at({0, 0}).torsion = {Torsion::Limit::separate, {1e-30, 0}};
     const Motion a = after_meeting(setup, tcol / 50), b = after_meeting(one_by_one, tcol / 50);
@@ -170,7 +172,8 @@ TEST_CASE("a sphere that meets a wall tends to the exact oblique collision with 
       Case{sprung(LinearTangential(k_t), 0.1, {}, {}), 2}, Case{sprung(LinearTangential(k_t, 4), 0.3, twist, {}), 2},
       Case{sprung(LinearTangential(k_t), 0.2, twist, {0.05, {stiff, 1e-6 * stiff}}), 2},
       Case{sprung(LinearTangential(k_t), 0.2, {}, {1, {stiff, 0}}), 2},
-      Case{sprung(MindlinTangential(4e9), 0.3, {}, {}), 1.5});
+      Case{sprung(MindlinTangential(4e9), 0.3, {}, {}), 1.5}, Case{sprung(MindlinTangential(4e9, 4), 0.3, {}, {}), 1.5},
+      Case{sprung(MindlinTangential(4e9, 40), 0.1, twist, {}), 1.5});
   CAPTURE(std::string(name(contact.law)), contact.friction.mu_static(), contact.rolling.mu);
   ClusterSetup setup = skew(true, contact.friction.mu_static(), contact.law, contact.rolling);
   setup.interactions.at({0, 0}).torsion = contact.torsion;

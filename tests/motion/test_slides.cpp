@@ -122,6 +122,36 @@ TEST_CASE("Contacts side by side are stepped as each alone") {
     }
 }
 
+TEST_CASE("A spring that grows or shrinks while it slides relaxes as its equation says, at second order") {
+  // Growing f' = k (q - f)/c, shrinking ξ' = (q - k ξ)/c, with k and q linear in time: by Runge and Kutta's steps.
+  const double c = 3, start = 0.8, q0 = 2, q1 = 2.7;
+  const double k0 = 40, k1 = GENERATE(90.0, 15.0);
+  const bool grows = k1 > k0;
+  CAPTURE(k1);
+  // Of one step over a share of their change: of third order.
+  const auto error = [&](double share) {
+    const double h = 0.2 * share, k_end = k0 + (k1 - k0) * share, q_end = q0 + (q1 - q0) * share;
+    double y = grows ? k0 * start : start;
+    constexpr int n = 2000;
+    for (int i = 0; i < n; ++i) {
+      const auto rate = [&](double s, double at) {
+        const double k = k0 + (k_end - k0) * s, q = q0 + (q_end - q0) * s;
+        return grows ? k * (q - at) / c : (q - k * at) / c;
+      };
+      const double s = double(i) / n, d = h / n, a = rate(s, y), b = rate(s + 0.5 / n, y + 0.5 * d * a),
+                   g = rate(s + 0.5 / n, y + 0.5 * d * b), e = rate(s + 1.0 / n, y + d * g);
+      y += d / 6 * (a + 2 * b + 2 * g + e);
+    }
+    const Vec3 found = motion::compliant::slid({k0, c}, {k_end, c}, {start, 0, 0}, {q0, 0, 0}, {q_end, 0, 0}, h);
+    return std::abs(found.x - (grows ? y / k_end : y));
+  };
+  CHECK(std::log2(error(0.04) / error(0.02)) == Approx(3).margin(0.1));
+  CHECK(std::log2(error(0.02) / error(0.01)) == Approx(3).margin(0.05));
+  // Without a dashpot nothing is remembered; without a spring nothing is strained.
+  CHECK(motion::compliant::slid({k0, 0}, {k1, 0}, {start, 0, 0}, {q0, 0, 0}, {q1, 0, 0}, 0.2).x == Approx(q1 / k1));
+  CHECK(motion::compliant::slid({k0, c}, {0, c}, {start, 0, 0}, {q0, 0, 0}, {0, 0, 0}, 0.2) == Vec3{});
+}
+
 TEST_CASE("Contacts side by side get the same bits by all instructions") {
   if (widest_instructions() == Instructions::baseline) {
     WARN("skipped: this machine has no AVX2");

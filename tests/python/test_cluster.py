@@ -90,6 +90,8 @@ def test_no_contact_pulls_that_ends_by_force():
 
 
 def test_wrong_setups_are_named():
+    with pytest.raises(ValueError, match=r"radii of shape \(3,\): must be \(2,\), or one number for all"):
+        ricochet.Cluster(np.zeros((2, 3)), [1e-3] * 3, 2500, ricochet.Interaction(ricochet.Linear(1000, 0)))
     with pytest.raises(ValueError, match=r"positions of shape \(3,\): must be \(n, 3\)"):
         ricochet.Cluster([0, 0, 0], 1e-3, 1000, ricochet.Interaction(ricochet.Linear(1, 0)))
     with pytest.raises(ValueError, match=r"radii\[0\] = -0.001: must be finite and > 0"):

@@ -33,7 +33,7 @@ def test_every_law_is_a_class_with_its_parameters():
 def test_wrong_parameters_are_named():
     with pytest.raises(ValueError, match="k = -1: must be finite and > 0"):
         ricochet.Linear(-1, 0)
-    with pytest.raises(ValueError, match="no c: Contact law linear"):
+    with pytest.raises(ValueError, match="c: missing: must be given. Contact law linear"):
         ricochet.Linear(1, d=3)
     with pytest.raises(ValueError, match="3 parameters"):
         ricochet.Linear(1, 2, 3)

@@ -1,21 +1,17 @@
 // Every number that a run writes, against what is known of the motion by another way.
+#include "console/temporary_folder.hpp"
 #include <catch2/catch.hpp>
 #include <simulate/run.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
 using namespace ricochet;
 using namespace ricochet::simulate;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -34,17 +30,12 @@ struct Written {
   Lines trajectory, energy, contacts;
 
   explicit Written(const std::string& scene) {
-    const fs::path folder = fs::temp_directory_path() / ("ricochet-outputs-" + std::to_string(::getpid()));
-    fs::remove_all(folder);
-    REQUIRE(run(read_scene("s.json", scene), folder, false) == 0);
+    const TemporaryFolder folder;
+    REQUIRE(run(read_scene("s.json", scene), folder.path(), false) == 0);
     for (const auto& [lines, name] : {std::pair(&trajectory, "trajectory.xyz"), std::pair(&energy, "energy.csv"),
                                       std::pair(&contacts, "contacts.csv")}) {
-      std::ifstream in(folder / name);
-      std::stringstream text;
-      text << in.rdbuf();
-      *lines = split(text.str(), '\n');
+      *lines = split(read_file(folder / name), '\n');
     }
-    fs::remove_all(folder);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <console/exit.hpp>
 #include <simulate/run.hpp>
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -111,7 +112,7 @@ TEST_CASE("contacts.csv names a permanent contact, and a breakage where the cont
 TEST_CASE("a run that cannot begin leaves nothing, so that another can") {
   const TemporaryFolder folder;
   const Scene scene = bounce("0.01");
-  const int next = ::dup(0);
+  const int next = ::open("/dev/null", O_RDONLY);
   ::close(next);
   for (const Format format : {Format::xyz, Format::vtk})
     for (const int files : {0, 1, 2, 3}) {  // that can be opened at once; a fourth one is needed, the state's

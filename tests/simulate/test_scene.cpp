@@ -320,4 +320,25 @@ TEST_CASE("a scene of bodies that would pass through each other is refused with 
   CHECK(placed_complaint(falling).find("/spheres/0: meets wall1 at 80 m/s and would go ") != std::string::npos);
   CHECK(placed_complaint(with("\"position\": [0, 0, 0.02]", "\"position\": [0, 0, 0.9], \"velocity\": [0, 0, -80]")) ==
         "accepted");  // not within the run
+  // Across the border of a space that repeats itself the other is the next on the way, or where it is.
+  const auto around = [&](double speed, const std::string& borders) {
+    std::string scene = at(speed);
+    return placed_complaint(scene.replace(1, 0, R"("periodic": {"x": )" + borders + "}, "));
+  };
+  CHECK(around(-100, "[-0.05, 0.05]").find("/spheres/1: meets /spheres/0 at 100 m/s and would go 0.0647 m") !=
+        std::string::npos);
+  CHECK(around(100, "[-0.05, 0.05]").find("/spheres/1: meets /spheres/0 at 100 m/s") != std::string::npos);
+  CHECK(around(-15, "[-0.05, 0.05]") == "accepted");
+}
+
+TEST_CASE("a place along a periodic axis must be one that doubles can tell") {
+  const auto at = [](const std::string& y) {
+    return placed_complaint(R"({"duration": 0.01, "periodic": {"y": [-0.1, 0.1]}, "materials": {"g": {"density": 2000}},
+  "interactions": [{"between": ["g", "g"], "law": {"name": "linear", "k": 1e4, "c": 0}}],
+  "spheres": [{"radius": 0.01, "material": "g", "position": [0, )" +
+                            y + ", 0]}]}");
+  };
+  CHECK(at("1.99e5") == "accepted");
+  CHECK(at("-2.01e5").find("/spheres/0/position") != std::string::npos);
+  CHECK(at("1e308").find("must be a million periods off at most along a periodic axis") != std::string::npos);
 }

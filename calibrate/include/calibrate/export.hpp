@@ -92,6 +92,7 @@ struct Snippet {
   std::vector<Collision> gives;      ///< what the engine's law does at each pair's impact; empty when absent
   std::vector<std::string> remarks;  ///< conventions and limits, one sentence each; in `text` as comments
   std::string text;
+  double off = 0;  ///< how far `gives` are from what was asked: the greatest share of tcol, difference of en
 };
 
 /// Writes the snippet of a set of contacts: the law of every pair of grains and what makes each kind of wall.
@@ -107,8 +108,8 @@ bool runs(Engine engine, const ExportCase& what);
 /// `sentence` as comment lines of the engine's language.
 std::string comment(Engine engine, std::string_view sentence);
 
-/// Several snippets as one file that can be included: the first that is exact (or else close) stays active, the
-/// others are commented out.
+/// Several snippets as one file that can be included: the first that is exact stays active, or else that of the close
+/// ones that is least off (to 0.1 %, within which the first counts); the others are commented out.
 std::string combine(const std::vector<Snippet>& snippets);
 
 }  // namespace ricochet::calibration

@@ -9,7 +9,8 @@
 
 namespace ricochet::console {
 
-/// A line that carries no row: empty, blanks, or a comment that starts with '#'.
+/// A line that carries no row: empty, of blanks and separators alone, a comment that starts with '#', or "sep=;", by
+/// which spreadsheets tell each other the separator.
 bool is_csv_remark(std::string_view line);
 
 /// The line up to its "\n" or "\r\n", which is taken from `text` together with it.

@@ -20,7 +20,8 @@ inline constexpr const char* sky = "#56b4e9";
 inline constexpr const char* gray = "#767676";
 }  // namespace palette
 
-inline constexpr double letters = 14;  ///< of a Figure, pixels
+inline constexpr double letters = 14;                ///< of a Figure, pixels
+inline constexpr int axis_room = 68, key_line = 25;  ///< with such: under a panel with a label, a line of a key; pixels
 
 /// A plot that is shown: on a screen, in print, in a page. Line types 1 to 7 are the palette (blue, vermilion, green,
 /// orange, purple, sky, gray); axes stand at the left and below, on a faint grid.

@@ -55,12 +55,19 @@ std::map<std::size_t, Lightest> lightest_of(const ClusterSetup& setup) {
   return all;
 }
 
+struct Resolved {
+  double time;
+  bool tangential;
+};
+
 // The shorter of what the normal law and what a tangential spring take.
-double resolved_time(const Interaction& interaction, double mass, double speed) {
+Resolved resolved_time(const Interaction& interaction, double mass, double speed) {
   const double normal = interaction.law.resolved_time(mass, speed);
-  if (!std::isfinite(normal)) return normal;
+  if (!std::isfinite(normal)) return {normal, false};
   const double stiffness = spring(interaction.tangential, speed * normal / std::numbers::pi).stiffness;
-  return stiffness > 0 ? std::min(normal, std::numbers::pi * std::sqrt(2.0 / 7 * mass / stiffness)) : normal;
+  if (!(stiffness > 0)) return {normal, false};
+  const double across = std::numbers::pi * std::sqrt(2.0 / 7 * mass / stiffness);
+  return {std::min(normal, across), across < normal};
 }
 
 void check_room(const ClusterSetup& setup) {
@@ -92,8 +99,8 @@ StiffestContact stiffest_contact(const ClusterSetup& setup) {
   const auto lightest = lightest_of(setup);
   StiffestContact stiffest;
   const auto meet = [&](const Interaction& interaction, std::size_t i, std::size_t j, double mass) {
-    const double t = resolved_time(interaction, mass, speed);
-    if (std::isfinite(t) && (stiffest.tcol == 0 || t < stiffest.tcol)) stiffest = {i, j, t};
+    const auto [t, tangential] = resolved_time(interaction, mass, speed);
+    if (std::isfinite(t) && (stiffest.tcol == 0 || t < stiffest.tcol)) stiffest = {i, j, t, tangential};
   };
   const auto& s = setup.spheres;
   for (const auto& [pair, interaction] : setup.interactions) {

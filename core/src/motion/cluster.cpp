@@ -92,12 +92,13 @@ void Cluster::add_bodies(const ClusterSetup& setup) {
 
 void Cluster::add_models(const Interactions& interactions) {
   model_table_.assign(material_count_ * material_count_, no_model);
+  KernelsMade made;
   for (const auto& [pair, interaction] : interactions) {
     if (pair.first >= material_count_ || pair.second >= material_count_) continue;
     model_table_[pair.first * material_count_ + pair.second] = static_cast<std::uint32_t>(models_.size());
     model_table_[pair.second * material_count_ + pair.first] = static_cast<std::uint32_t>(models_.size());
-    auto normal =
-        interaction.law.contacts({options_.step, interaction.end, options_.longest_contact, options_.kernel_tolerance});
+    auto normal = interaction.law.contacts(
+        {options_.step, interaction.end, options_.longest_contact, options_.kernel_tolerance, &made});
     kernel_error_ = std::max(kernel_error_, normal->kernel_error());
     const TangentialContact tangential{interaction.tangential, interaction.friction, interaction.torsion,
                                        interaction.rolling};

@@ -331,7 +331,7 @@ RICOCHET_INNERMOST void Cluster::limit_slide(const ContactState& c, motion::Slid
   const Vec3 led = motion::compliant::led(held, limit, last, motion::compliant::halfway(then, start, s.moved[k], span));
   const Vec3 impulse = contact::cut(led, limit).traction;
   s.impulse.set(k, impulse);
-  s.strain.set(k, motion::compliant::relaxed(now, start, -1 / t * last, -1 / t * impulse, span));
+  s.strain.set(k, motion::compliant::slid(then, now, start, -1 / t * last, -1 / t * impulse, span));
 }
 
 // All that are gathered in the lanes.

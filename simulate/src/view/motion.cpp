@@ -3,6 +3,7 @@
 #include <console/exit.hpp>
 #include <ricochet/motion/engine/surface.hpp>
 #include <ricochet/motion/periodic.hpp>
+#include <simulate/view.hpp>
 
 #include <fmt/format.h>
 
@@ -112,7 +113,7 @@ ShownMotion read_motion(TrajectoryFile& file, const ClusterSetup& setup, std::si
   shown.frames_written = file.size();
   std::size_t grains = 0;
   for (std::size_t k = 0; k < file.size(); ++k) grains = std::max(grains, file.grains(k));
-  if (grains == 0) throw console::BadInput("trajectory.xyz: no frame holds a sphere");
+  if (grains == 0) throw NothingToShow("trajectory.xyz: no frame holds a sphere");
   const std::size_t kept = std::min(file.size(), std::max<std::size_t>(2, most / grains));
   const std::vector<motion::Surface> walls(setup.walls.begin(), setup.walls.end());
   Cast cast(shown);

@@ -66,7 +66,8 @@ bool same_along(const Wall& wall, const Periodic& periodic) noexcept;
 /// Masses and speed of the stiffest meeting of a setup.
 struct StiffestContact {
   std::size_t i = 0, j = 0;  ///< bodies; walls count from spheres.size()
-  double tcol = 0;  ///< about how long it lasts, the time that a step has to resolve [s]; 0 if nothing can meet
+  double tcol = 0;          ///< about how long it lasts, the time that a step has to resolve [s]; 0 if nothing can meet
+  bool tangential = false;  ///< that time is half a period of the tangential spring
 };
 
 /// The pair whose binary collision lasts shortest, over all pairs of spheres and walls (grouped by size and material,

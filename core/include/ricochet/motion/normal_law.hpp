@@ -5,11 +5,15 @@
 #include <ricochet/motion/resolved_time.hpp>
 
 #include <concepts>
+#include <map>
 #include <memory>
 #include <string_view>
 #include <utility>
 
 namespace ricochet {
+
+/// Kernels that were made, by their degree and the most arms: many pairs of bodies meet by laws of the same memory.
+using KernelsMade = std::map<std::pair<double, std::size_t>, MemoryKernel>;
 
 /// What the contacts of one interaction are made for.
 struct NormalStepping {
@@ -17,6 +21,7 @@ struct NormalStepping {
   ContactEnd end = ContactEnd::force;  ///< which zero ends a contact
   double longest_contact = 0;          ///< T of memory kernels [s]; 0: 10⁴ steps
   double kernel_tolerance = 1e-8;      ///< relative, of these kernels
+  KernelsMade* made = nullptr;         ///< those of the same step, longest contact and tolerance; it gains new ones
 };
 
 /// Any normal law that bodies can meet with: every ContactLaw converts into it, also one of your own, and so do the

@@ -89,6 +89,18 @@ inline Vec3 relaxed(Spring s, Vec3 elongation, Vec3 first, Vec3 last, double spa
   return decay * elongation + (last - decay * first - share * (last - first)) / s.stiffness;
 }
 
+/// The same of a spring that changes: a growing contact's force relaxes, (kξ)' = k (load − kξ)/c, a shrinking one's
+/// strain towards load/k. Order 2, and exact where k is constant.
+inline Vec3 slid(Spring then, Spring now, Vec3 elongation, Vec3 first, Vec3 last, double span) noexcept {
+  if (now.stiffness == then.stiffness) return relaxed(now, elongation, first, last, span);
+  if (!(now.stiffness > 0)) return {};
+  const Spring mean{0.5 * (then.stiffness + now.stiffness), now.damping};
+  const double shrunk = mean.stiffness / now.stiffness;
+  if (now.stiffness < then.stiffness)
+    return relaxed(mean, elongation, mean.stiffness / then.stiffness * first, shrunk * last, span);
+  return shrunk * relaxed(mean, then.stiffness / mean.stiffness * elongation, first, last, span);
+}
+
 /// The impulse that spring and dashpot pass while nothing gives way; `free` is the motion at the step's end without it.
 /// Of a fresh contact ∫kξ dt = ½k t² u.
 RICOCHET_INNERMOST Vec3 held_impulse(Spring s, Vec3 elongation, Vec3 before, Vec3 free, double mobility,
@@ -153,7 +165,8 @@ RICOCHET_INNERMOST Elongation elongation_after(const TangentialContact& law, con
   if (Turns && row.fresh) e.twist = t * mean.spin, e.roll = t * mean.roll;
   if (!yields(row)) return e;
   const Loads q = loads_of(law, c, row, force);
-  if (row.answer.slides) e.slide = relaxed(s.sliding, row.before.slide, q.first.sliding, q.last.sliding, row.span);
+  const Spring then = row.fresh ? s.sliding : row.spring_then;
+  if (row.answer.slides) e.slide = slid(then, s.sliding, row.before.slide, q.first.sliding, q.last.sliding, row.span);
   if (!Turns) return e;
   if (row.answer.twists)
     e.twist = relaxed(s.torsion, scalar(row.before.twist), scalar(q.first.torsion), scalar(q.last.torsion), row.span).x;
