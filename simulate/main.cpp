@@ -114,7 +114,6 @@ int main(int argc, char** argv) {
   app.add_option("--view", page,
                  "also write a page that plays the run, for a browser; with --resume, of a finished run nothing else");
   return console::run_program(app, argc, argv, [&] {
-    if (folder == "-") throw console::BadInput("-o", folder, "a folder: a run is several files");
     simulate::Scene scene = simulate::read_scene(file, console::read_input(file));
     scene.options.threads = static_cast<int>(threads.value_or(1));
     View view(file, folder, page);

@@ -151,11 +151,15 @@ Table choice_table(const Answer& all) {
   return table;
 }
 
-/// Rayleigh's time of the grain that has the shortest, where a grain's moduli are known.
+/// Rayleigh's time of the grain that has the shortest, where a grain's moduli are known and make a contact of its.
 std::optional<double> rayleigh(const Materials& materials) {
+  const auto moduli_count = [&](std::size_t i) {
+    return std::any_of(materials.pairs.begin(), materials.pairs.end(),
+                       [i](const Pair& p) { return (p.a == i || p.b == i) && !p.tcol && !p.stiffness; });
+  };
   std::optional<double> least;
-  for (const Material& m : materials.all)
-    if (!m.wall && m.solid) {
+  for (std::size_t i = 0; i < materials.all.size(); ++i)
+    if (const Material& m = materials.all[i]; !m.wall && m.solid && moduli_count(i)) {
       const double time = rayleigh_time(m.least, m.density, m.solid->young / materials.soften, m.solid->poisson);
       least = std::min(least.value_or(time), time);
     }

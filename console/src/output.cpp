@@ -108,6 +108,7 @@ void AtomicFile::commit() {
 }
 
 MadeFolder::MadeFolder(std::string path) : path_(std::move(path)) {
+  if (path_ == "-") throw BadInput("-: must be a folder, which standard output is not");
   std::error_code error;
   for (std::filesystem::path at = path_; !at.empty() && !std::filesystem::exists(at, error); at = at.parent_path())
     ++made_;

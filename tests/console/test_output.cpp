@@ -161,6 +161,9 @@ TEST_CASE("a folder's files that are not put in their places leave nothing") {
   { OutputFolder made(folder / "made"); }
   CHECK(folder.count() == 1);
   CHECK_THROWS_AS(OutputFolder("/dev/null/x"), BadInput);
+  CHECK_THROWS_WITH(OutputFolder("-"), "-: must be a folder, which standard output is not");
+  std::filesystem::create_symlink("nowhere", folder / "gone");
+  CHECK_THROWS_WITH(OutputFolder(folder / "gone"), Catch::EndsWith("it is a link to nothing"));
 }
 
 TEST_CASE("a folder's files are all replaced, or none") {
