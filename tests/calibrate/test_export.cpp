@@ -307,6 +307,8 @@ TEST_CASE("among laws that an engine runs in its own way, the one that gives wha
              same = snippet(Fidelity::close, 0, "c"), none = snippet(Fidelity::absent, 0, "d");
   CHECK(combine({none, first, met, same}) == "# d\n\n# a\n\nb\n\n# c\n");
   CHECK(combine({first, snippet(Fidelity::exact, 0, "e")}) == "# a\n\ne\n");
+  CHECK(combine({snippet(Fidelity::close, 1.1e-3, "a"), same}) == "# a\n\nc\n");
+  CHECK(combine({snippet(Fidelity::close, 0.9e-3, "a"), same}) == "a\n\n# c\n");
   // Its own end costs Yade a seventh of the collision time; ended by force the law is run as it is.
   const auto by_overlap = export_law(Engine::yade, with(linear, ContactEnd::overlap));
   CHECK(by_overlap.off == Approx(1 - by_overlap.gives.front().tcol / 1e-4).epsilon(1e-12));
